@@ -1,8 +1,9 @@
-// Bundles the viewer of reports and the page of the workbench, each into one script and one style sheet.
+// Bundles the viewer of reports into one script and one style sheet, and the workbench into scripts that are loaded
+// when their page is opened; the names of the latter contain their digest, so that browsers keep them.
 // node build.mjs [FOLDER]: into FOLDER/viewer and FOLDER/static, or where the package has them.
 import { createHash } from "node:crypto";
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, join, relative, resolve } from "node:path";
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename, dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
@@ -13,16 +14,15 @@ const out = process.argv[2]
 const page = process.argv[2]
   ? resolve(process.argv[2], "static")
   : join(here, "../src/jounce/web/static");
+rmSync(page, { recursive: true, force: true }); // scripts of earlier builds
 for (const folder of [out, page]) mkdirSync(folder, { recursive: true });
 
-const bundled = (entryPoints, outdir) =>
+const bundled = (entryPoints, outdir, options) =>
   build({
     absWorkingDir: here,
     entryPoints,
     bundle: true,
     minify: true,
-    format: "iife",
-    globalName: "jounce",
     target: ["es2022"],
     charset: "utf8",
     legalComments: "none", // licences.txt has them whole
@@ -30,13 +30,27 @@ const bundled = (entryPoints, outdir) =>
     write: false,
     metafile: true,
     define: { "process.env.NODE_ENV": '"production"' },
+    ...options,
   });
 
-const result = await bundled({ viewer: "src/main.ts", page: "src/plain.ts" }, out);
-const app = await bundled({ app: "src/workbench/main.ts" }, page);
-for (const name of ["index.html", "icon.svg"])
-  copyFileSync(join(here, "src/workbench", name), join(page, name));
+const result = await bundled({ viewer: "src/main.ts", page: "src/plain.ts" }, out, {
+  format: "iife",
+  globalName: "jounce",
+});
+const app = await bundled({ app: "src/workbench/start.ts" }, page, {
+  format: "esm",
+  splitting: true,
+  entryNames: "[name]-[hash]",
+  chunkNames: "[name]-[hash]",
+});
 for (const file of app.outputFiles) writeFileSync(file.path, file.text);
+const html = readFileSync(join(here, "src/workbench/index.html"), "utf8").replace(
+  /\/app\.(css|js)/g,
+  (_, kind) =>
+    `/${app.outputFiles.map(({ path }) => basename(path)).find((name) => name.startsWith("app-") && name.endsWith(kind))}`,
+);
+writeFileSync(join(page, "index.html"), html);
+copyFileSync(join(here, "src/workbench/icon.svg"), join(page, "icon.svg"));
 for (const file of result.outputFiles) {
   if (/<\/(script|style)/i.test(file.text))
     throw new Error(`${file.path} would end the element that it stands in`);

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import ctypes
+import gzip
 import http.client
 import importlib.util
 import json
@@ -29,6 +30,7 @@ from jounce.core.remembered import Recent
 from jounce.parts import library
 from jounce.variants.shards import SCHEMA
 from jounce.web import forms, serve, serving
+from jounce.web.assets import assets
 from jounce.web.project import Project
 from jounce.web.safety import HEADERS
 
@@ -171,19 +173,39 @@ def test_its_own_origin_is_none_of_them(ask):
 
 
 def test_the_page_may_run_its_own_scripts_only_and_fetches_nothing_else(ask):
-    for path in ("/", "/app.js", "/app.css", "/icon.svg", "/api/health"):
+    for path in (*assets(), "/api/health"):
         assert (
             ask("GET", path, Authorization=None if "api" not in path else f"Bearer {TOKEN}")[0]
             == 200
         )
-        assert {name.lower(): text for name, text in HEADERS.items()}.items() <= ask.headers.items()
+        required = {name.lower(): text for name, text in HEADERS.items()}
+        if path not in ("/", "/icon.svg", "/api/health"):
+            required["cache-control"] = "private, max-age=31536000, immutable"
+        assert required.items() <= ask.headers.items()
     policy = HEADERS["Content-Security-Policy"]
     assert "unsafe" not in policy
     assert "default-src 'none'" in policy
     page = ask("GET", "/")[1]
-    assert "<script src=" in page
+    assert '<script type="module" src="/app-' in page
     assert "style=" not in page
     assert "://" not in page
+
+
+def test_scripts_are_compressed_for_those_who_can_read_them(ask):
+    path = next(path for path in assets() if path.startswith("/main-"))
+    whole = assets()[path].content
+    assert ask("GET", path, **{"Accept-Encoding": "gzip;q=0, br"})[1].encode() == whole
+    assert "content-encoding" not in ask.headers
+    connection = http.client.HTTPConnection("127.0.0.1", ask.port, timeout=20)
+    connection.request("GET", path, headers={"Accept-Encoding": "br, gzip"})
+    response = connection.getresponse()
+    body = response.read()
+    connection.close()
+    assert response.headers["Content-Encoding"] == "gzip"
+    assert response.headers["Vary"] == "Accept-Encoding"
+    assert gzip.decompress(body) == whole
+    assert len(body) < 0.6 * len(whole)
+    assert ask("GET", "/main-AAAAAAAA.js", Authorization=None)[0] == 401
 
 
 OUTSIDE = ["../secret.toml", "/etc/hostname", "a/../../secret.toml", "link.toml", "linked/secret.toml", "..", "", ".",

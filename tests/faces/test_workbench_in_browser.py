@@ -633,6 +633,30 @@ def test_what_a_page_shows_is_saved_and_copied(workbench, browser, tmp_path):
     opened.context.close()
 
 
+LOADED = """() => performance.getEntriesByType("resource")
+  .filter((one) => /\\.(js|css)$/.test(one.name)).map((one) => [one.name, one.transferSize])"""
+
+
+@pytest.mark.pages
+def test_a_page_loads_its_own_script_only_and_once(workbench, browser):
+    """The first page has at most 150 kB, those of other pages come when they are opened."""
+    opened = Opened(browser, workbench)
+    opened.go("project")
+    first = dict(opened.page.evaluate(LOADED))
+    assert 20_000 < sum(first.values()) < 150_000
+    assert not any(word in name for name in first for word in ("/trial-", "/german-"))
+    opened.page.evaluate("location.hash = '#/jobs'")
+    opened.page.wait_for_selector("html[data-ready=jobs]")
+    assert any("/jobs-" in name for name in dict(opened.page.evaluate(LOADED)))
+    opened.page.reload()
+    opened.page.wait_for_selector("html[data-ready=jobs]")
+    assert sum(dict(opened.page.evaluate(LOADED)).values()) == 0  # from the browser's cache
+    opened.page.route("**/studies-*.js", lambda route: route.abort())
+    opened.page.evaluate("location.hash = '#/studies'")
+    opened.page.get_by_text("This page could not be loaded").wait_for()
+    opened.context.close()
+
+
 @pytest.mark.pages
 def test_everything_is_found_by_its_name(workbench, browser):
     """Pages, files, curves and actions from every page; the filter of curves takes what its example shows."""
@@ -644,7 +668,8 @@ def test_everything_is_found_by_its_name(workbench, browser):
     page.keyboard.press("Control+k")
     matches = page.locator("dialog [role=option]")
     page.locator("dialog input").fill("roll centre h")
-    assert matches.all_inner_texts() == ["roll centre height\ncurve"]
+    listed = "[...document.querySelectorAll('dialog [role=option]')].map((one) => one.innerText)"
+    until(page, f"{listed}.join('|') === 'roll centre height\\ncurve'")
     page.keyboard.press("Enter")
     until(page, "document.querySelectorAll('dialog').length === 0")
     curve = page.locator(".multiples figure", has_text="roll centre height")

@@ -7,7 +7,7 @@ import os
 import tomllib
 from collections.abc import Callable
 from functools import partial
-from importlib import metadata, resources
+from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any, Literal
 from urllib.parse import urlencode
@@ -22,6 +22,7 @@ from jounce.core.serialise import to_plain
 from jounce.core.units import Unit
 from jounce.web import answers, forms, sweeps
 from jounce.web import kept as history
+from jounce.web.assets import Asset, assets
 from jounce.web.bodies import Route
 from jounce.web.exports import KINDS, Exported, exported, file_name
 from jounce.web.jobs import Jobs, without_options
@@ -33,9 +34,6 @@ from jounce.web.working import routes
 require("fastapi", "web")  # ruff: isort: split
 from fastapi import FastAPI, Request  # noqa: E402
 from fastapi.responses import JSONResponse, Response  # noqa: E402
-
-_STATIC = {"/": ("index.html", "text/html"), "/app.js": ("app.js", "text/javascript"),
-           "/app.css": ("app.css", "text/css"), "/icon.svg": ("icon.svg", "image/svg+xml")}  # fmt: skip
 
 
 class _Refusal(JSONResponse):
@@ -344,8 +342,8 @@ def create_app(
         )
 
     app.include_router(routes(project, jobs, seal))
-    for path, (name, kind) in _STATIC.items():
-        app.add_api_route(path, _static(name, kind), include_in_schema=False)
+    for path, asset in assets().items():
+        app.add_api_route(path, _served(asset), include_in_schema=False)
     return Guard(app, token=token, port=port)
 
 
@@ -360,6 +358,9 @@ def _curves_response(shown: answers.CurvesAnswer, request: Request) -> Response:
     return JSONResponse(shown.plain())
 
 
-def _static(name: str, kind: str) -> Callable[[], Response]:
-    content = resources.files("jounce.web").joinpath("static", name).read_bytes()
-    return lambda: Response(content, media_type=kind)
+def _served(asset: Asset) -> Callable[[Request], Response]:
+    def serve(request: Request) -> Response:
+        content, headers = asset.response(request.headers.get("accept-encoding", ""))
+        return Response(content, headers=headers)
+
+    return serve

@@ -14,6 +14,8 @@ from collections.abc import Mapping
 from typing import Any
 from urllib.parse import parse_qs
 
+from jounce.web.assets import assets
+
 _POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; font-src 'self'; "
     "connect-src 'self'; frame-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
@@ -26,8 +28,6 @@ HEADERS = {
     "Cross-Origin-Resource-Policy": "same-origin",
     "Cache-Control": "no-store",
 }
-_OPEN = ("/", "/app.js", "/app.css", "/icon.svg")
-"""Files of the page itself, which contain no user data."""
 _LARGEST = 4_000_000  # maximum bytes of a request
 UPLOAD, _LARGEST_UPLOAD = "/api/upload", 250_000_000
 EXPORT, _LARGEST_EXPORT = (
@@ -90,7 +90,7 @@ class Guard:
                 if self._is_token(given)
                 else (401, "This address is not the one that was printed.")
             )
-        if scope["path"] in _OPEN or self._is_known(headers) or self._is_sealed(scope):
+        if scope["path"] in assets() or self._is_known(headers) or self._is_sealed(scope):
             return None
         return (
             401,

@@ -4,7 +4,7 @@ import { lasting } from "../browser";
 
 const KEY = "jounce-language",
   chosen = lasting?.getItem(KEY);
-const language =
+export const language =
   chosen === "de" || chosen === "en" ? chosen : navigator.language.startsWith("de") ? "de" : "en";
 document.documentElement.lang = language;
 

@@ -1,48 +1,32 @@
 /** The workbench: pages over one folder. Nothing is computed here; all curves and verdicts come from the server. */
 
-import { languageButton } from "./language";
-import "./german";
-import "uplot/dist/uPlot.min.css";
-import "../../../src/jounce/report/templates/colours.css";
-import "../viewer.css";
-import "./workbench.css";
-import "./work.css";
 import { leave, make, themeButton } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import { mayLeave } from "./drafts";
-import { campaign } from "./pages/campaign";
-import { inspection } from "./pages/inspection";
-import { jobs } from "./pages/jobs";
-import { kinematics } from "./pages/kinematics";
-import { project } from "./pages/project";
-import { record } from "./pages/record";
-import { ride } from "./pages/ride";
-import { rig } from "./pages/rig";
-import { studies } from "./pages/studies";
-import { trial } from "./pages/trial";
+import { languageButton } from "./language";
 import { listenForKeys, searchButton } from "./palette";
 import { problem } from "./parts";
+import { key, quantity, spoken } from "./quantities";
 import { savePage } from "./saving";
-import { address, carried, carry, type Page, setLive } from "./shell";
+import { address, carried, carry, live, type Page, setLive } from "./shell";
 
-export { key, quantity, spoken } from "./quantities";
-export { live } from "./shell";
-
-/** Every page, by the word in its address, in the order of the head. */
+/** Every page, by the word in its address, in the order of the head; its script is loaded when it is opened. */
 const PAGES: Record<string, Page> = {
-  project,
-  rig,
-  trial,
-  kinematics,
-  record,
-  campaign,
-  ride,
-  inspection,
-  studies,
-  jobs,
+  project: { label: "Project", load: () => import("./pages/project") },
+  rig: { label: "Rig", load: () => import("./pages/rig") },
+  trial: { label: "Trial", load: () => import("./pages/trial") },
+  kinematics: { label: "Kinematics", load: () => import("./pages/kinematics") },
+  record: { label: "Records", load: () => import("./pages/record") },
+  campaign: { label: "Campaign", load: () => import("./pages/campaign") },
+  ride: { label: "Ride and control", load: () => import("./pages/ride") },
+  inspection: { label: "Inspection", load: () => import("./pages/inspection") },
+  studies: { label: "Studies", load: () => import("./pages/studies") },
+  jobs: { label: "Jobs", load: () => import("./pages/jobs") },
 };
 
+const UNLOADED =
+  "This page could not be loaded: check that jounce serve is running, then reload the page.";
 const LABELS = Object.fromEntries(Object.entries(PAGES).map(([page, { label }]) => [page, label]));
 
 async function show(): Promise<void> {
@@ -60,7 +44,10 @@ async function show(): Promise<void> {
   document.title = `${tr(PAGES[chosen]!.label)} – jounce workbench`;
   document.getElementById("main")!.replaceChildren(savePage(), place);
   try {
-    await PAGES[chosen]!.show(place, new URLSearchParams(values));
+    const { show: fill } = await PAGES[chosen]!.load().catch(() => {
+      throw new Error(tr(UNLOADED));
+    });
+    if (place.isConnected) await fill(place, new URLSearchParams(values));
   } catch (error) {
     carry(""); // it may be gone
     place.replaceChildren(
@@ -117,3 +104,15 @@ api.project().then(
   () => {},
 );
 void show();
+
+/** For benchmarks and tests. */
+Object.assign(globalThis, {
+  jounce: {
+    key,
+    quantity,
+    spoken,
+    get live() {
+      return live;
+    },
+  },
+});

@@ -1,16 +1,11 @@
 /** German of what is computed, by its English words: quantities of the catalogues, channels, parts, and the keys of forms. */
 
 import type { Store } from "../data";
-import { isGerman, translate } from "../words";
+import { isGerman } from "../words";
 import generated from "./quantities.json"; // written by `make faces`
-import german from "./terms.json";
+import { TERMS } from "./terms";
 
-/** German of quantities of the kinematic catalogue by their names (as short as a header), of parts, of keys of a description, and of channels and metrics in words. */
-type Terms = Record<string, string>;
-const NAMES: Terms = german.quantities,
-  PARTS: Terms = german.parts,
-  KEYS: Terms = german.keys,
-  WORDS: Terms = german.words;
+const { quantities: NAMES, parts: PARTS, keys: KEYS, words: WORDS } = TERMS;
 
 /** A quantity as a page shows it: its key in results, its label, its unit and the factor from SI. */
 export type Quantity = [name: string, words: string, unit: string, factor: number];
@@ -38,11 +33,6 @@ export const ESTIMATES = generated.estimates as unknown as Record<
 const UNITS = generated.units as unknown as Record<string, Unit>;
 /** Display unit of an SI unit, and the factor to it. */
 export const shownUnit = (si: string): Unit => UNITS[si] ?? [si, 1];
-
-translate({
-  ...Object.fromEntries(Object.entries(WORDS).filter(([english]) => /\s/.test(english))),
-  ...PARTS,
-});
 
 /** A quantity of the catalogue as a head names it; of an axle, with its side. */
 export function quantity(name: string): string {

@@ -6,10 +6,10 @@ import { tr } from "../words";
 import * as api from "./api";
 
 export type Values = URLSearchParams;
-/** A page has a label in the header and fills its place; its errors are shown there with a link back. */
+/** A page has a label in the header, and fills its place once loaded; its errors are shown there with a link back. */
 export interface Page {
   label: string;
-  show: (place: HTMLElement, values: Values) => Promise<void>;
+  load: () => Promise<{ show: (place: HTMLElement, values: Values) => Promise<void> }>;
 }
 
 export const RIGS = ["rig"],

@@ -22,10 +22,8 @@ import { line, svg } from "../picture";
 import { ESTIMATES } from "../quantities";
 import { type Fields, Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
-import { address, goTo, type Page, type Values } from "../shell";
+import { address, goTo, type Values } from "../shell";
 import { table } from "../table";
-
-export const campaign: Page = { label: "Campaign", show };
 
 interface Bench {
   name: string;
@@ -63,7 +61,7 @@ interface Overview {
   updates: Record<string, unknown>[];
 }
 
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const job = values.get("job"),
     file = values.get("file");
   if (job) {

@@ -10,10 +10,8 @@ import { field, optional, select, snippets, textBox } from "../parts";
 import { WHEEL_QUANTITIES } from "../quantities";
 import { Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
-import { address, type Page, type Values, VEHICLES } from "../shell";
+import { address, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
-
-export const inspection: Page = { label: "Inspection", show };
 
 type Used = Record<string, string>;
 type Controls = Record<string, HTMLInputElement | HTMLSelectElement>;
@@ -61,7 +59,7 @@ const reasonsOf = (about?: Reasoned): (Node | string)[] =>
 const mark = (verdict: string) =>
   make("span", { class: `mark ${TONES[verdict] ?? "plain"}` }, verdict);
 
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const [{ entries }, choices, library] = await Promise.all([
     api.project(),
     api.get<Choices>("/api/choices"),

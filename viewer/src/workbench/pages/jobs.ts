@@ -2,9 +2,7 @@
 
 import { make } from "../../page";
 import { type Job, jobList } from "../jobs";
-import { address, type Page } from "../shell";
-
-export const jobs: Page = { label: "Jobs", show };
+import { address } from "../shell";
 
 export const PAGES_OF: Record<string, string> = {
   sweep: "studies",
@@ -22,7 +20,7 @@ export function results(job: Job): void {
   else window.open(job.report, "_blank", "noopener");
 }
 
-async function show(place: HTMLElement): Promise<void> {
+export async function show(place: HTMLElement): Promise<void> {
   place.replaceChildren(
     make("h1", {}, "Jobs"),
     make("p", { class: "muted" }, "Jobs continue when you close the page or stop the server."),

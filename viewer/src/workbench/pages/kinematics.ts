@@ -13,9 +13,7 @@ import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
 import { asSaid } from "../refusals";
 import { saveChart, saveDrawing } from "../saving";
-import { address, choose, type Page, setLive, type Values } from "../shell";
-
-export const kinematics: Page = { label: "Kinematics", show };
+import { address, choose, setLive, type Values } from "../shell";
 
 type Over = "travel" | "rack" | "roll";
 /** State that survives the reload after saving: targets, and changes made meanwhile. */
@@ -95,7 +93,7 @@ class Drive {
   }
 }
 
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
   if (!name) {
     await choose(place, "kinematics", tr("Kinematics"), "rig", true);

@@ -8,10 +8,8 @@ import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { field, once, problem, snippets } from "../parts";
 import { inWords } from "../quantities";
 import { savable } from "../saving";
-import { address, goTo, OPENS, type Page } from "../shell";
+import { address, goTo, OPENS } from "../shell";
 import { table } from "../table";
-
-export const project: Page = { label: "Project", show };
 
 interface Kept {
   path: string;
@@ -39,7 +37,7 @@ const LABELS: Record<string, string> = {
   inspection: "Inspection",
   studies: "Studies",
 };
-async function show(place: HTMLElement): Promise<void> {
+export async function show(place: HTMLElement): Promise<void> {
   const [{ name, folder, entries }, library, kept, jobs] = await Promise.all([
     api.project(),
     api.library(),

@@ -8,9 +8,7 @@ import * as api from "../api";
 import { LiveSnippets, Newest } from "../parts";
 import { asSaid } from "../refusals";
 import { saveChart } from "../saving";
-import { address, choose, type Page, setLive, type Values } from "../shell";
-
-export const record: Page = { label: "Records", show };
+import { address, choose, setLive, type Values } from "../shell";
 
 interface About {
   count: number;
@@ -24,7 +22,7 @@ interface About {
 }
 const AT_FIRST = 3;
 
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const path = values.get("path");
   if (!path) {
     await choose(place, "record", tr("Records"), "path", false, ["record"]);

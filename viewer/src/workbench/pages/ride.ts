@@ -23,11 +23,9 @@ import { line, plane, svg } from "../picture";
 import { inWords, MERITS, shownUnit } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
 import { savable } from "../saving";
-import { address, carry, given, goTo, type Page, type Values, VEHICLES } from "../shell";
+import { address, carry, given, goTo, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
 import type { Choices } from "./inspection";
-
-export const ride: Page = { label: "Ride and control", show };
 
 interface Run {
   control: string;
@@ -44,7 +42,7 @@ interface Compared {
   failed: Record<string, string>;
 }
 const ROLES = ["comfort", "holding", "travel"] as const;
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const id = values.get("job");
   if (id) {
     await showRun(place, id);

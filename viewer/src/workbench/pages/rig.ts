@@ -11,11 +11,9 @@ import { copied, InTurn, LiveSnippets, Newest, problem } from "../parts";
 import { Points } from "../points";
 import { advised } from "../refusals";
 import { saveDrawing } from "../saving";
-import { address, choose, type Page, type Values, VEHICLES } from "../shell";
+import { address, choose, type Values, VEHICLES } from "../shell";
 
-export const rig: Page = { label: "Rig", show };
-
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("name");
   if (!name) {
     await choose(place, "rig", tr("Rig"), "name", false, VEHICLES);

@@ -8,7 +8,7 @@ import { begin, follow, JobCard, jobList, report, type Whole, whole } from "../j
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem, select, snippets, textBox } from "../parts";
 import { advised, asSaid } from "../refusals";
-import { address, type Page, type Values, VEHICLES } from "../shell";
+import { address, type Values, VEHICLES } from "../shell";
 import { row, table } from "../table";
 import {
   Brushes,
@@ -19,8 +19,6 @@ import {
   ranges,
   tornado,
 } from "../variants";
-
-export const studies: Page = { label: "Studies", show };
 
 interface Sweep {
   count: number;
@@ -50,7 +48,7 @@ interface Sweep {
   } | null;
 }
 
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const job = values.get("job"),
     folder = values.get("folder");
   if (job || folder) {

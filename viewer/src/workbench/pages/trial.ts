@@ -18,9 +18,7 @@ import {
   textBox,
 } from "../parts";
 import { Phase } from "../phase";
-import { address, choose, given, type Page, setLive, type Values, VEHICLES } from "../shell";
-
-export const trial: Page = { label: "Trial", show };
+import { address, choose, given, setLive, type Values, VEHICLES } from "../shell";
 
 const FIRST = [
   "strut.spring.rate",
@@ -32,7 +30,7 @@ const FIRST = [
   "unsprung.mass",
 ];
 
-async function show(place: HTMLElement, values: Values): Promise<void> {
+export async function show(place: HTMLElement, values: Values): Promise<void> {
   const name = values.get("rig");
   if (!name) {
     await choose(

@@ -1,0 +1,1 @@
+var e={"half-sine":["height","length"],versine:["height","length"],rectangle:["height","length"],triangle:["height","length"],step:["height"],pothole:["depth","length"]},t={height:"10 mm",depth:"10 mm",length:"60 mm"};export{e as a,t as b};

@@ -1,0 +1,11 @@
+/** First script of the workbench: it sets the language before any other module reads it. */
+
+import { language } from "./language";
+import "uplot/dist/uPlot.min.css";
+import "../../../src/jounce/report/templates/colours.css";
+import "../viewer.css";
+import "./workbench.css";
+import "./work.css";
+
+if (language === "de") await import("./german");
+await import("./main");
