@@ -22,7 +22,7 @@ from jounce.core.files import always_below, existing_file
 from jounce.core.waiting import progress_through
 from jounce.web.jobs import _is_over
 from jounce.web.project import Project
-from jounce.web.tasks import doing_of, task_of
+from jounce.web.tasks import spec_of, task_of
 
 uvicorn = pytest.importorskip("uvicorn")
 client = pytest.importorskip("websockets.sync.client")
@@ -89,13 +89,13 @@ def test_what_a_field_holds_is_never_another_option(tmp_path, text):
             "columns": {text: text},
         },
     ):
-        doing = doing_of(task_of(task), project)
+        doing = spec_of(task_of(task), project)
         options = [word for word in doing.words if text in word]
         assert options
         assert all(word.startswith("--") and "=" in word.partition(text)[0] for word in options)
     tester = {"kind": "evaluate", "records": ["a.csv"], "tester": text}
     with pytest.raises(DescriptionError, match="unknown tester"):
-        doing_of(task_of(tester), project)
+        spec_of(task_of(tester), project)
 
 
 @pytest.mark.parametrize(
@@ -110,7 +110,7 @@ def test_what_a_field_holds_is_never_another_option(tmp_path, text):
 )
 def test_bounds_mean_in_python_what_they_mean_on_the_command_line(tmp_path, text, meant):
     task = {"kind": "pareto", "vehicle": "kart-quarter-car", "free": {"tyre.stiffness": text}}
-    assert f"{{'tyre.stiffness': {meant!r}}}" in doing_of(task_of(task), Project(tmp_path)).python
+    assert f"{{'tyre.stiffness': {meant!r}}}" in spec_of(task_of(task), Project(tmp_path)).python
 
 
 def _by_python_and_command(
@@ -118,8 +118,8 @@ def _by_python_and_command(
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """What Python leaves in its names, then what the command prints; ``more`` is asked of the command only."""
     names: dict[str, Any] = {}
-    exec(doing_of(task_of(task), Project(folder)).python, names)  # noqa: S102 - that is what it is for
-    return names, cli(*doing_of(task_of(task | more), Project(folder)).words, "--json").json
+    exec(spec_of(task_of(task), Project(folder)).python, names)  # noqa: S102 - that is what it is for
+    return names, cli(*spec_of(task_of(task | more), Project(folder)).words, "--json").json
 
 
 def _plain(found: Any) -> Any:
@@ -190,7 +190,7 @@ def test_python_of_a_store_gives_what_its_commands_give(tmp_path, cli):
     car = {"vehicle": "audi-a6-half-car-4dof", "tester": "egea-specsus2018"}
     for wear, name in (("0", "new.csv"), ("0.5", "worn.csv")):
         cli(
-            *doing_of(
+            *spec_of(
                 task_of({"kind": "test", **car, "wear": wear, "out": name}), Project(tmp_path)
             ).words,
             "--json",
@@ -282,7 +282,7 @@ def test_rides_over_each_other_are_those_of_python_and_command(tmp_path, cli):
     )
     soft = kart | {"changes": {"strut.spring.rate": "15 N/mm"}, "control": "skyhook"}
     task = task_of({"kind": "overlay", "rides": [kart, soft, car]})
-    doing, names = doing_of(task, Project(tmp_path)), {}  # type: tuple[Any, dict[str, Any]]
+    doing, names = spec_of(task, Project(tmp_path)), {}  # type: tuple[Any, dict[str, Any]]
     exec(doing.python, names)  # noqa: S102
     assert doing.question is not None
     found = overlaid(
@@ -324,7 +324,7 @@ def test_rides_over_each_other_are_those_of_python_and_command(tmp_path, cli):
             )
             == 0.0
         )
-    same = doing_of(task_of({"kind": "overlay", "rides": [kart, soft]}), Project(tmp_path))
+    same = spec_of(task_of({"kind": "overlay", "rides": [kart, soft]}), Project(tmp_path))
     assert same.command.splitlines()[-1] == "jounce plot ride-1.nc ride-2.nc --figure=rides.png"
     assert cli(*shlex.split(same.command.splitlines()[-1])[1:]).exit_code == 0
 
@@ -382,7 +382,7 @@ def test_python_of_a_preview_reads_what_the_page_shows(tmp_path, cli, decay_file
     (tmp_path / "turned.csv").write_text(decay_file.read_text().replace("sprung.z", "way"))
     task = task_of({"kind": "preview", "files": ["turned.csv"], "columns": {"sprung.z": "way"}})
     names: dict[str, Any] = {}
-    exec(doing_of(task, Project(tmp_path)).python, names)  # noqa: S102
+    exec(spec_of(task, Project(tmp_path)).python, names)  # noqa: S102
     (viewer,) = preview(task.model_dump())["content"]["viewers"]
     assert "sprung.z" in json.dumps(viewer)
     assert set(names["record"].data_vars) == {"sprung.z"}
@@ -409,7 +409,7 @@ def test_jobs_keep_to_the_folder(tmp_path, path):
         {"kind": "new-campaign", "out": path},
     ):
         with pytest.raises(JounceError):
-            doing_of(task_of(task), project)
+            spec_of(task_of(task), project)
 
 
 def test_bad_requests_of_jobs_are_told(tmp_path):
@@ -422,7 +422,7 @@ def test_bad_requests_of_jobs_are_told(tmp_path):
     (tmp_path / "swept").write_text("")
     (tmp_path / "study.toml").write_text("")
     with pytest.raises(DescriptionError, match="a file, not a folder"):
-        doing_of(task_of(SWEEP), Project(tmp_path))
+        spec_of(task_of(SWEEP), Project(tmp_path))
     for name in ("../jobs", "x/y", ".hidden", "none"):
         with pytest.raises(DescriptionError, match="no such job"):
             _jobs(tmp_path).state(name)

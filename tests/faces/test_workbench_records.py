@@ -89,14 +89,14 @@ def test_what_is_seen_of_a_record_is_told_in_python_and_as_a_command(
     rows = "".join(f"{0.01 * i:.2f}, {i}, {i % 7}\n" for i in range(50))
     (tmp_path / "of a bench.csv").write_text(f"time [s], up [mm], sprung.z [mm]\n{rows}")
     about = {"channels": [{"name": "up", "unit": "mm"}, {"name": "sprung.z", "unit": "mm"}]}
-    ways = records.ways("of a bench.csv", about, ["up", "sprung.z"])
+    equivalents = records.equivalents("of a bench.csv", about, ["up", "sprung.z"])
     monkeypatch.chdir(tmp_path)
     names: dict[str, Any] = {}
-    exec(ways["python"], names)  # noqa: S102 - that is what it is for
+    exec(equivalents["python"], names)  # noqa: S102 - that is what it is for
     assert list(names["recording"]) == ["sprung.z"]
     assert len(names["figure"].axes) == 1
-    assert "to be mapped with columns={...}: ['up']\n" in ways["python"]
-    assert main(shlex.split(ways["command"])[1:]) == 0
+    assert "to be mapped with columns={...}: ['up']\n" in equivalents["python"]
+    assert main(shlex.split(equivalents["command"])[1:]) == 0
     assert (tmp_path / "record.png").is_file()
 
 
@@ -116,10 +116,10 @@ def test_of_columns_that_must_be_mapped_nothing_is_told_that_fails(
 ) -> None:
     records, _ = opened
     about = {"channels": [{"name": name, "unit": unit} for name, unit in channels]}
-    ways = records.ways("bench.csv", about, [name for name, _ in channels])
-    exec(ways["python"], {})  # noqa: S102 - that is what it is for
-    assert any(repr(name) in ways["python"] for name, _ in channels)
-    assert ways["command"] == ""
+    equivalents = records.equivalents("bench.csv", about, [name for name, _ in channels])
+    exec(equivalents["python"], {})  # noqa: S102 - that is what it is for
+    assert any(repr(name) in equivalents["python"] for name, _ in channels)
+    assert equivalents["command"] == ""
 
 
 def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(

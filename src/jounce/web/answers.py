@@ -42,19 +42,19 @@ class CurvesAnswer:
     """Curves for the page, with equivalent ``python`` code, ``command``, and the ``files`` it needs."""
 
     viewer: Viewer
-    ways: Mapping[str, Any]
+    equivalents: Mapping[str, Any]
 
     def plain(self) -> dict[str, Any]:
         """Return the response as JSON, for scripts."""
         from jounce.report.live import live_data
 
-        return {**live_data([self.viewer]), **self.ways}
+        return {**live_data([self.viewer]), **self.equivalents}
 
     def straight(self) -> bytes:
         """Return the response as binary numbers that the page draws directly."""
         from jounce.report.live import live_bytes
 
-        return live_bytes([self.viewer], self.ways)
+        return live_bytes([self.viewer], self.equivalents)
 
 
 def rig_of(project: Project, name: str) -> Rig:
@@ -142,15 +142,18 @@ def simulate_changes(
     runs = {label: _run(rig, on) for label, rig in rigs.items()}
     if measured:
         runs[measured] = _measured_part(project, measured, begins, on)
-    ways = {"digest": digest_of(rigs["as it is"]), **_ways_of(name, changes, trial, measured)}
+    equivalents = {
+        "digest": digest_of(rigs["as it is"]),
+        **_equivalents_of(name, changes, trial, measured),
+    }
     if spectra:
         from jounce.report.recordings import curve_viewer
         from jounce.web.spectra import spectra_of
 
         return CurvesAnswer(
-            curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), ways
+            curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), equivalents
         )
-    return CurvesAnswer(_curves(runs, channels, rigs, on, numbers), ways)
+    return CurvesAnswer(_curves(runs, channels, rigs, on, numbers), equivalents)
 
 
 _DONE: OrderedDict[str, xr.Dataset] = (
@@ -208,7 +211,7 @@ def _measured_part(project: Project, path: str, begins: str, on: Trial) -> xr.Da
     return part
 
 
-def _ways_of(
+def _equivalents_of(
     name: str, changes: Changes, trial: Mapping[str, Any], measured: str
 ) -> dict[str, Any]:
     """Return Python code and command of a run."""

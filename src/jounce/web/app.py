@@ -156,7 +156,7 @@ def create_app(
     version = metadata.version("jounce")
 
     @asynccontextmanager
-    async def living(_: FastAPI) -> Any:
+    async def close_at_end(_: FastAPI) -> Any:
         ready()
         yield
         jobs.end()
@@ -167,7 +167,7 @@ def create_app(
         version=version,
         docs_url=None,
         redoc_url=None,
-        lifespan=living,
+        lifespan=close_at_end,
         default_response_class=_Answer,
     )
     app.router.route_class = Route
@@ -296,7 +296,9 @@ def create_app(
         high = opened.about["last"] if asked.high is None else asked.high
         shown = opened.viewer(asked.channels, low, high, asked.columns)
         return _curves_response(
-            answers.CurvesAnswer(shown, records.ways(asked.path, opened.about, asked.channels)),
+            answers.CurvesAnswer(
+                shown, records.equivalents(asked.path, opened.about, asked.channels)
+            ),
             request,
         )
 

@@ -32,7 +32,7 @@ from jounce.core.phrases import Phrase, Translated, german_of
 from jounce.core.writing import ALLOW_OVERWRITING
 from jounce.kernel.apart import SPLITS
 from jounce.web.project import Project
-from jounce.web.tasks import AnyTask, Doing, doing_of
+from jounce.web.tasks import AnyTask, JobSpec, spec_of
 from jounce.web.untrusted import content, is_regular, mark, plain_json
 from jounce.web.worker import ALIVE, CANCEL, END, JOB, PROBLEMS, PROGRESS, RESULT, put
 
@@ -109,7 +109,7 @@ class Jobs:
 
     def begin(self, task: AnyTask) -> dict[str, Any]:
         """Start a job; return its state."""
-        doing = doing_of(task, self.project)
+        spec = spec_of(task, self.project)
         with self.lock:
             running = [job for job in self._all() if job["state"] == "running"]
             if len(running) >= _MOST_RUNNING:
@@ -117,12 +117,12 @@ class Jobs:
                 raise OutputError(
                     "too many jobs are running", where="jobs", found=len(running), hint=hint
                 )
-            clash = next((job for job in running if doing.out and job["out"] == doing.out), None)
+            clash = next((job for job in running if spec.out and job["out"] == spec.out), None)
             if clash is not None:
                 hint = "Wait for it, or choose another folder."
                 raise OutputError(
                     "another job is writing to this folder",
-                    where=doing.out,
+                    where=spec.out,
                     found=clash["title"],
                     hint=hint,
                 )
@@ -130,31 +130,31 @@ class Jobs:
             number = max((_number(name) for name in self._names()), default=0) + 1
             name = f"{min(number, _GREATEST):06d}-{secrets.token_hex(4)}"
             self.begun[name] = time.monotonic()
-            folder = self._write_job(self.folder / name, doing, task)
+            folder = self._write_job(self.folder / name, spec, task)
             if not (self._has_loaded() and self._split(folder, _BEHIND)):
                 self.processes[name] = _start_process(folder)
             self.read = 0.0
             return self.state(name)
 
-    def ask(self, doing: Doing) -> dict[str, Any]:
+    def ask(self, spec: JobSpec) -> dict[str, Any]:
         """Run a short task in a separate process with limits, and wait for its result."""
         with tempfile.TemporaryDirectory(prefix="jounce-") as place:
-            folder = self._write_job(Path(place) / "asked", doing, None)
-            if doing.light:
+            folder = self._write_job(Path(place) / "asked", spec, None)
+            if spec.light:
                 _start_process(folder, waited=True)
             else:
                 self._apart(folder)
-            if not _is_over(folder, doing.patience, self.closing):
+            if not _is_over(folder, spec.patience, self.closing):
                 mark(folder / CANCEL)
-                limit = f"more than {doing.patience:.0f} s"
-                raise DescriptionError("this takes too long", where=doing.title, found=limit)
+                limit = f"more than {spec.patience:.0f} s"
+                raise DescriptionError("this takes too long", where=spec.title, found=limit)
             end = _read_model(_End, folder / END)
             outcome = _outcome(folder, end.code if end else -1)
             if outcome["error"] is not None:
                 raise Refused(outcome["error"])
             page = folder / "report.html"
             text = page.read_text(encoding="utf-8") if page.is_file() else ""
-            return {"result": _result(folder), "page": text, **ways(doing)}
+            return {"result": _result(folder), "page": text, **equivalents(spec)}
 
     def prepare(self) -> None:
         """Start a process that forks workers for the page's requests, because starting a process is slow."""
@@ -324,27 +324,27 @@ class Jobs:
             return is_held(folder / ALIVE)
         return time.monotonic() - self.begun.get(name, -_JUST_BEGUN) < _JUST_BEGUN
 
-    def _write_job(self, folder: Path, doing: Doing, task: AnyTask | None) -> Path:
+    def _write_job(self, folder: Path, spec: JobSpec, task: AnyTask | None) -> Path:
         """Write the task of a job and the words of its command."""
         folder.mkdir(parents=True, mode=0o700)
-        own = [word.replace("{folder}", str(folder)) for word in doing.own]
+        hidden = [word.replace("{folder}", str(folder)) for word in spec.hidden]
         about: dict[str, Any] = {
             "kind": task and task.kind,
             "asked": task and task.model_dump(),
-            "title": doing.title,
+            "title": spec.title,
         }
         about |= {
             "root": str(self.project.root),
             "begun": time.time(),
             "clock": time.monotonic(),
-            "out": doing.out,
-            "page": doing.page,
-            **ways(doing),
+            "out": spec.out,
+            "page": spec.page,
+            **equivalents(spec),
         }
         does = (
-            {"question": doing.question} if doing.question else {"words": doing.words, "own": own}
+            {"question": spec.question} if spec.question else {"words": spec.words, "own": hidden}
         )
-        put(folder / JOB, about | does | {"limits": doing.limits})
+        put(folder / JOB, about | does | {"limits": spec.limits})
         return folder
 
 
@@ -364,10 +364,10 @@ class Refused(JounceError):
         return self.text
 
 
-def ways(doing: Doing) -> dict[str, Any]:
+def equivalents(spec: JobSpec) -> dict[str, Any]:
     """Return equivalent Python code and command."""
-    return {"python": doing.python, "command": command_line(["jounce", *doing.words]) if doing.words else doing.command,
-            "files": doing.files}  # fmt: skip
+    return {"python": spec.python, "command": command_line(["jounce", *spec.words]) if spec.words else spec.command,
+            "files": spec.files}  # fmt: skip
 
 
 def _start_process(folder: Path, *, waited: bool = False) -> subprocess.Popen[bytes]:

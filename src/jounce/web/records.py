@@ -22,7 +22,7 @@ from jounce.web.answers import word
 from jounce.web.jobs import Jobs
 from jounce.web.levels import ABOUT, Levels
 from jounce.web.project import Project
-from jounce.web.tasks import Doing
+from jounce.web.tasks import JobSpec
 
 _MOST_KEPT = 6
 _MEMORY, _SECONDS = 6e9, 120.0  # limits for reading a record
@@ -65,7 +65,9 @@ class Records:
         if self.folder is not None:
             shutil.rmtree(self.folder, ignore_errors=True)
 
-    def ways(self, path: str, about: Mapping[str, Any], channels: Sequence[str]) -> dict[str, Any]:
+    def equivalents(
+        self, path: str, about: Mapping[str, Any], channels: Sequence[str]
+    ) -> dict[str, Any]:
         """Return equivalent Python code and command, which read only known channels with a matching unit."""
         every = {channel["name"]: channel["unit"] for channel in about["channels"]}
         read = [name for name in channels if _is_known(name) and _is_of(name, every[name])]
@@ -92,7 +94,7 @@ class Records:
         limits = (_MEMORY, _SECONDS)
         try:
             self.jobs.ask(
-                Doing(
+                JobSpec(
                     f"Reading {path}",
                     [],
                     limits=limits,

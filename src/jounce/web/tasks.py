@@ -27,8 +27,8 @@ LIMITS = (4e9, 120.0)  # limits for reading a record: bytes and seconds of CPU t
 
 
 @dataclass(frozen=True)
-class Doing:
-    """A command with its presentation on the page.
+class JobSpec:
+    """The command of a job, and how the page presents it.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class Doing:
         Title shown to the user.
     words : list of str
         Words of the command.
-    own : list of str
+    hidden : list of str
         Further words that are not shown; ``{folder}`` is the folder of the job.
     python : str
         Equivalent Python code.
@@ -60,7 +60,7 @@ class Doing:
 
     title: str
     words: list[str]
-    own: list[str] = field(default_factory=list)
+    hidden: list[str] = field(default_factory=list)
     python: str = ""
     out: str = ""
     page: str = ""
@@ -75,7 +75,7 @@ class Doing:
 class _Task(BaseModel):
     model_config = ConfigDict(extra="forbid")
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         """Return the command."""
         raise NotImplementedError
 
@@ -93,7 +93,7 @@ class SweepTask(_Task):
     resume: bool = False
     force: bool = False
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         study, out = _file(project, self.study), _folder(project, self.out)
         given = {
             "study": study,
@@ -102,7 +102,7 @@ class SweepTask(_Task):
             "force": self.force and not self.resume,
         }
         request = _request("sweep", given)
-        return Doing(f"Sweep {Path(study).stem}", request.words(), python=request.python(), out=out,
+        return JobSpec(f"Sweep {Path(study).stem}", request.words(), python=request.python(), out=out,
                      page=f"{out}/report.html")  # fmt: skip
 
 
@@ -114,10 +114,10 @@ class CampaignTask(_Task):
     out: Text
     force: bool = False
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         file, out = _file(project, self.campaign), _folder(project, self.out)
         request = _request("campaign run", {"campaign": file, "out": out, "force": self.force})
-        return Doing(f"Campaign: {title_of(project, file)}", request.words(), python=request.python(), out=out,
+        return JobSpec(f"Campaign: {title_of(project, file)}", request.words(), python=request.python(), out=out,
                      page=f"{out}/report.html")  # fmt: skip
 
 
@@ -130,13 +130,13 @@ class DesignTask(_Task):
     starts: Annotated[int, Field(ge=1, le=1000)] | None = None
     force: bool = False
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         study, out = _file(project, self.study), _folder(project, self.out)
         request = _request("design kinematics", {"study": study, "starts": self.starts})
         words = [*request.words(), f"--out={out}", *(["--force"] if self.force else [])]
         forced = ", force=True" if self.force else ""
         python = f"{request.python()}jn.write_files({out!r}, result.files(){forced})\n"
-        return Doing(
+        return JobSpec(
             f"Kinematic design {Path(study).stem}",
             words,
             python=python,
@@ -184,10 +184,10 @@ class CompareTask(_Task, _Drive):
         default_factory=lambda: ["passive"]
     )
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         request = self._request(project, "compare", self.control)
         title = f"{Path(self.vehicle).stem} on {self.road} at {self.speed}"
-        return Doing(title, request.words(), _REPORT, request.python())
+        return JobSpec(title, request.words(), _REPORT, request.python())
 
 
 class OneRide(_Drive):
@@ -202,7 +202,7 @@ class OverlayTask(_Task):
     kind: Literal["overlay"]
     rides: Annotated[list[OneRide], Field(min_length=1, max_length=6)]
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         from jounce.web.rides import labels
 
         names = labels([ride.model_dump() for ride in self.rides])
@@ -219,7 +219,7 @@ class OverlayTask(_Task):
             python += "figure = jn.plots.compare(runs)\n"
             files = [f"ride-{k}.nc" for k in range(1, len(self.rides) + 1)]
             commands.append(command_line(["jounce", "plot", *files, "--figure=rides.png"]))
-        return Doing(
+        return JobSpec(
             "Overlay of rides",
             [],
             python=python,
@@ -242,12 +242,12 @@ class ParetoTask(_Task):
     limit: Annotated[dict[str, Text], Field(max_length=20)] = Field(default_factory=dict)
     points: Annotated[int, Field(ge=3, le=500)] | None = None
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         vehicle = _rig(project, self.vehicle)
         request = _request(
             "design pareto", {**self.model_dump(exclude={"kind"}), "vehicle": vehicle}
         )
-        return Doing(
+        return JobSpec(
             f"Best designs of {Path(vehicle).stem}", request.words(), _REPORT, request.python()
         )
 
@@ -268,7 +268,7 @@ class EvaluateTask(_Task):
     inspector: Text = ""
     language: Literal["en", "de"] = "en"
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         given = {
             **self.model_dump(include={"plate", "date", "place", "inspector", "language"}),
             "record": [_file(project, record) for record in self.records],
@@ -280,7 +280,7 @@ class EvaluateTask(_Task):
         }
         request = _request("inspect evaluate", given)
         title = f"Inspection of {', '.join(Path(record).name for record in self.records)}"
-        return Doing(title, request.words(), _REPORT, request.python(), limits=LIMITS)
+        return JobSpec(title, request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
 class HistoryTask(_Task):
@@ -290,10 +290,10 @@ class HistoryTask(_Task):
     store: Text
     plate: Text
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         store = _file(project, self.store)
         request = _request("inspect history", {"plate": self.plate, "store": store})
-        return Doing(
+        return JobSpec(
             f"History of {self.plate}", request.words(), _REPORT, request.python(), patience=60.0
         )
 
@@ -309,10 +309,10 @@ class SearchTask(_Task):
     since: Text = ""
     until: Text = ""
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         store = _file(project, self.store)
         request = _request("inspect search", {**self.model_dump(exclude={"kind"}), "store": store})
-        return Doing(f"Search in {store}", request.words(), [], request.python(), patience=60.0)
+        return JobSpec(f"Search in {store}", request.words(), [], request.python(), patience=60.0)
 
 
 class NewCampaignTask(_Task):
@@ -321,11 +321,11 @@ class NewCampaignTask(_Task):
     kind: Literal["new-campaign"]
     out: Text
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         out = _folder(project, self.out)
         request = _request("campaign new", {"folder": out})
         title = f"Campaign to start from in {out}"
-        return Doing(title, request.words(), python=request.python(), patience=60.0)
+        return JobSpec(title, request.words(), python=request.python(), patience=60.0)
 
 
 class TestTask(_Task):
@@ -338,7 +338,7 @@ class TestTask(_Task):
     wear: Text = ""
     wheel: Literal["left", "right", "both"] = "both"
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         rig, tester, out = (
             _rig(project, self.vehicle),
             _tester(project, self.tester),
@@ -347,7 +347,7 @@ class TestTask(_Task):
         given = {"rig": rig, "tester": tester, "wheel": self.wheel, "wear": self.wear}
         request = _request("inspect simulate", given)
         words = [*request.words(), f"--out={out}"]
-        return Doing(f"Test of {Path(rig).stem}", words, python=request.python())
+        return JobSpec(f"Test of {Path(rig).stem}", words, python=request.python())
 
 
 class _Reading(_Task):
@@ -387,9 +387,9 @@ class StiffnessTask(_Reading):
     intercept: Literal["drop", "shift", "keep"] = "drop"
     branch: Literal["loading", "unloading", "both"] = "loading"
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         request = self._request(project, "fit stiffness")
-        return Doing("Stiffness", request.words(), _REPORT, request.python(), limits=LIMITS)
+        return JobSpec("Stiffness", request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
 class DecayTask(_Reading):
@@ -402,9 +402,9 @@ class DecayTask(_Reading):
     begin: Text = ""
     end: Text = ""
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         request = self._request(project, "fit decay", **{"from": self.begin, "to": self.end})
-        return Doing("Free decay", request.words(), _REPORT, request.python(), limits=LIMITS)
+        return JobSpec("Free decay", request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
 class PreviewTask(_Reading):
@@ -415,7 +415,7 @@ class PreviewTask(_Reading):
     sample_time: Text = ""
     resample: Text = ""
 
-    def _doing(self, project: Project) -> Doing:
+    def _spec(self, project: Project) -> JobSpec:
         words = self._words(project, "sample_time", "resample")
         if self.form == "recording":
             said = self._read("columns", "variable", "sample_time", "resample")
@@ -433,7 +433,7 @@ class PreviewTask(_Reading):
             if self.form == "recording"
             else ""
         )
-        return Doing(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n{read}", limits=LIMITS,
+        return JobSpec(f"Preview of {self.files[0]}", [], python=f"import jounce as jn\n{read}", limits=LIMITS,
                      patience=60.0, question=self.model_dump(), command=command)  # fmt: skip
 
 
@@ -458,9 +458,9 @@ def task_of(plain: Mapping[str, Any]) -> AnyTask:
         ) from None
 
 
-def doing_of(task: AnyTask, project: Project) -> Doing:
+def spec_of(task: AnyTask, project: Project) -> JobSpec:
     """Return the command of a task in a project."""
-    return task._doing(project)
+    return task._spec(project)
 
 
 def _request(command: str, given: Mapping[str, Any]) -> Request:

@@ -24,7 +24,7 @@ from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project, unusable
 from jounce.web.safety import PROTOCOL
 from jounce.web.studies import write_study
-from jounce.web.tasks import LIMITS, Asked, Doing, doing_of
+from jounce.web.tasks import LIMITS, Asked, JobSpec, spec_of
 from jounce.web.untrusted import content
 
 require("fastapi", "web")  # ruff: isort: split
@@ -148,7 +148,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     @router.post("/api/ask")
     def ask(asked: Asked) -> dict[str, Any]:
         """Run a short command and wait for its result."""
-        answer = jobs.ask(doing_of(asked, project))
+        answer = jobs.ask(spec_of(asked, project))
         text = answer.pop("page")
         key = ""
         if text:
@@ -189,7 +189,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         read_kept(project.inside(folder))
         question = {"kind": "swept", "root": str(project.root), "folder": folder}
         result: dict[str, Any] = jobs.ask(
-            Doing(f"Reading {folder}", [], limits=LIMITS, question=question)
+            JobSpec(f"Reading {folder}", [], limits=LIMITS, question=question)
         )["result"]
         return result
 
