@@ -30,7 +30,8 @@ def said(sensors: dict[str, jn.Sensor], *, to_the_road: float = 0.0) -> dict[str
     for speed in (1.2, 1.95, 2.86):
         trial, motion = run(speed)
         record = jn.apply_sensors(motion[list(NOISE)], sensors)
-        record["sprung.z"] = record["sprung.z"] - to_the_road * motion["road.z"]
+        seen = record["sprung.z"]  # its copy keeps the unit, which arithmetic of older xarray drops
+        record["sprung.z"] = seen.copy(data=seen.values - to_the_road * motion["road.z"].values)
         for name, noise in NOISE.items():
             record[name].values[:] += noise * rng.normal(size=record[name].size)
         trials.append(jn.FitTrial(f"{speed:g} m/s", RIG, trial, record))
