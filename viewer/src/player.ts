@@ -4,21 +4,18 @@ import { at, type Model, type Pane, type Scene, type Store } from "./data";
 import { MechanismView } from "./mechanism";
 import { make, toggle, whenColoursChange, whenLeft, written } from "./page";
 import { LinkedPlots } from "./plots";
+import { type Offer, seeker, sorted } from "./shown";
 import { localised, say } from "./words";
 
 const SLOWER = [1, 2, 5, 10, 20, 50, 100];
 /** Up to this many channels have buttons at once; further ones are behind a button unless shown. */
 const FEW = matchMedia("(max-width: 40rem)").matches ? 6 : 16;
+const MOST_SOUGHT = 6; // channels that Enter shows at once
 const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Player {
   readonly element = make("div", { class: "player", tabindex: "-1" });
-  private readonly plots = new LinkedPlots(
-    (x) => {
-      if (!this.playing) this.goTo(x);
-    },
-    (range) => this.seen(range),
-  );
+  private readonly plots: LinkedPlots;
   private readonly view: MechanismView | null;
   private readonly choice = make("select", { "aria-label": say("choice") });
   private readonly note = make("span", { class: "mark" });
@@ -31,6 +28,12 @@ export class Player {
     class: "group channels",
     role: "group",
     "aria-label": say("channels"),
+  });
+  private readonly sought = make("input", {
+    type: "search",
+    placeholder: say("seek"),
+    "aria-label": say("seek"),
+    title: say("seekHint"),
   });
   private readonly play = make("button", { type: "button", class: "play" }, say("play"));
   private readonly slider = make("input", {
@@ -67,7 +70,15 @@ export class Player {
   constructor(
     private model: Model,
     private store: Store,
+    private readonly offered: Offer | null = null,
   ) {
+    this.plots = new LinkedPlots(
+      (x) => {
+        if (!this.playing) this.goTo(x);
+      },
+      (range) => this.seen(range),
+      offered,
+    );
     this.scene = model.scenes[0]!;
     this.view = model.scenes.some((scene) => scene.motion) ? new MechanismView(model.stage) : null;
     model.scenes.forEach((scene, i) =>
@@ -248,6 +259,7 @@ export class Player {
       ),
       make("p", { class: "hint" }, say("hint")),
     );
+    this.sought.addEventListener("input", () => this.seek());
     this.element.addEventListener("keydown", (event) => this.key(event));
   }
 
@@ -306,6 +318,7 @@ export class Player {
               },
               pane.words,
             );
+            button.dataset.channel = pane.name;
             if (many && !shown) {
               button.classList.add("other");
               others++;
@@ -325,13 +338,37 @@ export class Player {
         ),
       );
     }
-    this.channels.replaceChildren(...buttons);
+    this.channels.replaceChildren(...(many ? [this.sought] : []), ...buttons);
+    this.seek();
+  }
+
+  /** Offers only the channels whose names or words are sought. */
+  private seek(): void {
+    const isSought = seeker(this.sought.value),
+      isSeeking = this.sought.value.trim() !== "";
+    this.channels.classList.toggle("seeking", isSeeking);
+    for (const button of this.channels.querySelectorAll<HTMLElement>("[data-channel]"))
+      button.classList.toggle("sought", isSought(`${button.textContent} ${button.title}`));
+  }
+
+  /** The channels that come first have changed: they are shown, and on top. */
+  reorder(): void {
+    const isFirst = (pane: Pane) => Number.isFinite(this.rank(pane));
+    for (const pane of this.scene.panes) if (isFirst(pane)) this.panes.set(pane.name, true);
+    this.offer(this.scene);
+    if (this.scene.panes.some((pane) => isFirst(pane) && !pane.curves.length)) this.lacking?.();
+    this.plot(this.plots.window);
+  }
+
+  private rank(pane: Pane): number {
+    return this.offered?.rank(pane.name) ?? Infinity;
   }
 
   private plot(window: [number, number] | null): void {
     const { scene } = this;
     let panes = scene.panes.filter((pane) => this.isShown(pane) && pane.curves.length);
     if (!panes.length) panes = scene.panes.filter((pane) => pane.curves.length).slice(0, 1);
+    panes = sorted(panes, (pane) => this.rank(pane));
     this.slider.setAttribute("aria-label", this.model.x.words);
     this.plots.show(
       {
@@ -340,6 +377,7 @@ export class Player {
         spans: scene.spans,
         window: scene.window,
         panes: panes.map((pane) => ({
+          name: pane.name,
           title: pane.words,
           unit: pane.unit,
           lines: pane.curves.map((curve) => ({
@@ -357,7 +395,7 @@ export class Player {
   }
 
   private isShown(pane: Pane): boolean {
-    return this.panes.get(pane.name) ?? pane.shown;
+    return this.panes.get(pane.name) ?? (pane.shown || Number.isFinite(this.rank(pane)));
   }
 
   /** The part that was looked at, where the next scene has it and it was not all of the last one. */
@@ -441,6 +479,15 @@ export class Player {
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target instanceof HTMLSelectElement)
       return;
+    if (event.target === this.sought) {
+      if (event.key === "Enter")
+        this.channels
+          .querySelectorAll<HTMLButtonElement>(".sought[aria-pressed=false]")
+          .forEach((one, k) => {
+            if (k < MOST_SOUGHT) one.click();
+          });
+      return;
+    }
     const inButton = event.target instanceof HTMLButtonElement,
       inSlider = event.target === this.slider;
     const x = this.store.get(this.scene.x),

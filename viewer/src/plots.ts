@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import { at, type Numbers } from "./data";
 import { colour, isFast, make, whenLeft, writtenTo } from "./page";
-import { offerChart, type ShownChart } from "./shown";
+import { type Offer, offerChart, type ShownChart } from "./shown";
 import { localised } from "./words";
 
 export interface Line {
@@ -14,6 +14,7 @@ export interface Line {
   shown: boolean;
 }
 export interface PlotPane {
+  name: string;
   title: string;
   unit: string;
   lines: Line[];
@@ -47,10 +48,15 @@ export class LinkedPlots {
   private busy = false;
   private place = 0;
 
-  /** `moved` is called with the pointer's position on the common axis, `zoomed` with the visible range. */
+  /**
+   * `moved` is called with the pointer's position on the common axis, `zoomed` with the visible range.
+   * Each head has what `offer` makes; `tall` is the height of a plot that stands alone, px.
+   */
   constructor(
     private readonly moved: (x: number) => void,
     private readonly zoomed: (range: [number, number]) => void = () => {},
+    private readonly offer: Offer | null = null,
+    private readonly tall = 250,
   ) {
     offerChart(this.element, () => this.chart());
     whenLeft(() => this.clear()); // plots whose cursors are linked know each other until then
@@ -103,6 +109,7 @@ export class LinkedPlots {
   private chart(): ShownChart | null {
     if (!this.shown) return null;
     const panels = this.shown.panes.map((pane) => ({
+      name: pane.name,
       title: pane.title,
       unit: pane.unit,
       curves: pane.lines
@@ -221,6 +228,14 @@ export class LinkedPlots {
           make("output", {}, "–"),
         ),
       );
+    if (this.offer)
+      head.append(
+        make(
+          "span",
+          { class: "tools" },
+          ...this.offer.buttons(pane.name, pane.title, this.element),
+        ),
+      );
     const holder = make("div", { class: "pane" });
     this.element.append(head, holder);
     const ink = colour("ink"),
@@ -335,7 +350,7 @@ export class LinkedPlots {
 
   private height(isLast: boolean): number {
     const count = this.shown?.panes.length ?? 1;
-    const body = count > 3 ? 96 : count === 3 ? 120 : count === 2 ? 165 : 250;
+    const body = count > 3 ? 96 : count === 3 ? 120 : count === 2 ? 165 : this.tall;
     return body + (isLast ? 40 : 6) + 6;
   }
 

@@ -8,6 +8,7 @@ export interface ShownCurve {
   y: Numbers;
 }
 export interface ShownPanel {
+  name: string; // of the quantity or channel
   title: string;
   unit: string;
   curves: ShownCurve[];
@@ -30,3 +31,27 @@ export function offerChart(element: Element, chart: () => ShownChart | null): vo
 
 /** The curves that an element shows; null if it shows none. */
 export const chartOf = (element: Element): ShownChart | null => charts.get(element)?.() ?? null;
+
+/** What curves offer beside their names, and which of them come first: lower ranks do, those of the others are infinite. */
+export interface Offer {
+  buttons: (name: string, title: string, element: Element) => Node[];
+  rank: (name: string) => number;
+}
+
+/** Whether a text has all words of what is sought, or of one of its parts between commas. */
+export function seeker(sought: string): (own: string) => boolean {
+  const parts = sought
+    .toLowerCase()
+    .split(/[,;…]/)
+    .map((part) => part.split(/\s+/).filter(Boolean))
+    .filter((words) => words.length);
+  return (own) =>
+    !parts.length || parts.some((words) => words.every((word) => own.toLowerCase().includes(word)));
+}
+
+/** Things by their ranks; those of equal rank stay in order. */
+export const sorted = <T>(things: T[], rank: (one: T) => number): T[] =>
+  things
+    .map((one, k): [number, number, T] => [Math.min(rank(one), 1e9), k, one])
+    .sort(([a, i], [b, j]) => a - b || i - j)
+    .map(([, , one]) => one);

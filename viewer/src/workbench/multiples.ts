@@ -2,8 +2,9 @@
 
 import { at, type Model, type Numbers, type Store } from "../data";
 import { colour, make, sized, whenColoursChange, written } from "../page";
-import { offerChart, type ShownChart } from "../shown";
+import { offerChart, type ShownChart, seeker, sorted } from "../shown";
 import { isGerman, localised, tr } from "../words";
+import { offer, whenPinned } from "./curves";
 import { quantity } from "./quantities";
 
 export interface Band {
@@ -27,8 +28,8 @@ interface One {
 const LEFT = 46,
   RIGHT = 8,
   TOP = 6,
-  BOTTOM = 16,
-  HEIGHT = 104;
+  BOTTOM = 30,
+  HEIGHT = 118;
 
 export class Multiples {
   readonly element = make("div", { class: "multiples" });
@@ -44,6 +45,7 @@ export class Multiples {
   /** `moved` hears where the pointer is on the axis. */
   constructor(private readonly moved: (x: number) => void) {
     offerChart(this.element, () => this.chart());
+    whenPinned(() => this.order());
     new ResizeObserver(() => this.sized()).observe(this.element);
     whenColoursChange(() => {
       this.colours = {};
@@ -53,9 +55,10 @@ export class Multiples {
 
   /** The visible curves as data. */
   private chart(): ShownChart | null {
-    const panels = this.plots
+    const panels = this.ordered()
       .filter((one) => !one.box.hidden)
       .map(({ name, unit, lines }) => ({
+        name,
         title: quantity(name),
         unit,
         curves: lines.map(({ label, role, y }) => ({
@@ -77,30 +80,43 @@ export class Multiples {
     if (kind !== this.kind) {
       this.kind = kind;
       this.plots = panes.map((pane) => this.made(pane.name, pane.words, pane.unit));
-      this.element.replaceChildren(...this.plots.map((one) => one.box));
+      this.element.replaceChildren();
       this.filter(this.wanted);
     }
     panes.forEach((pane, k) => {
       const one = this.plots[k]!;
       one.lines = pane.curves.map(({ role, label, y }) => ({ role, label, y: store.get(y) }));
       one.band = bands.find((band) => band.quantity === pane.name) ?? null;
-      one.box.classList.toggle("wanted", one.band !== null);
     });
+    this.order();
     if (!this.width) this.sized();
     else this.draw();
     this.mark(this.place);
   }
 
+  /** Pinned curves first, then those with targets. */
+  private ordered(): One[] {
+    const { length } = this.plots;
+    return sorted(this.plots, ({ name, band }) =>
+      Math.min(offer.rank(name), band ? 1000 : 1001 + length),
+    );
+  }
+
+  /** Puts the curves in their order, unless they are. */
+  private order(): void {
+    const boxes = this.ordered().map((one) => one.box);
+    for (const one of this.plots)
+      one.box
+        .querySelector(".pin")!
+        .setAttribute("aria-pressed", String(Number.isFinite(offer.rank(one.name))));
+    if (boxes.some((box, k) => this.element.children[k] !== box))
+      this.element.replaceChildren(...boxes);
+  }
+
   /** Shows those whose name or words hold all words of a text, or of one of its parts between commas. */
   filter(text: string): void {
     this.wanted = text;
-    const parts = text
-      .toLowerCase()
-      .split(/[,;…]/)
-      .map((part) => part.split(/\s+/).filter(Boolean))
-      .filter((words) => words.length);
-    const isWanted = (own: string) =>
-      !parts.length || parts.some((words) => words.every((word) => own.includes(word)));
+    const isWanted = seeker(text);
     for (const one of this.plots) one.box.hidden = !isWanted(one.box.dataset.words!);
     this.draw();
   }
@@ -145,14 +161,9 @@ export class Multiples {
         "figcaption",
         { title: isGerman ? `${name}, ${quantity(name)}` : words },
         make("b", {}, quantity(name)),
-        " ",
-        make(
-          "span",
-          { class: "whole" },
-          value,
-          make("span", { class: "unit" }, unit && ` ${unit}`),
-          verdict,
-        ),
+        make("span", { class: "unit" }, `[${unit || "–"}]`),
+        make("span", { class: "whole" }, value, verdict),
+        make("span", { class: "tools" }, ...offer.buttons(name, quantity(name), this.element)),
       ),
       holder,
     );
@@ -223,8 +234,9 @@ export class Multiples {
       context.fillText(
         short(tick),
         Math.min(Math.max(toX(tick), LEFT + 8), width - RIGHT - 8),
-        HEIGHT - 4,
+        HEIGHT - BOTTOM + 12,
       );
+    context.fillText(this.xLabel, (LEFT + width - RIGHT) / 2, HEIGHT - 4, width - LEFT - RIGHT);
     if (one.band) this.band(context, one, toX, toY, low, high);
     else one.verdict.textContent = "";
     for (let k = one.lines.length - 1; k >= 0; k--) {

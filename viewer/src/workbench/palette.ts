@@ -3,6 +3,7 @@
 import { make } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
+import { dialog } from "./dialog";
 import { address, OPENS } from "./shell";
 
 /** Something that can be gone to or done; `where` says what kind of thing it is. */
@@ -100,18 +101,6 @@ function matching(goals: Goal[], text: string): Goal[] {
     .slice(0, MOST);
 }
 
-/** A dialog that is removed when it closes. */
-function dialog(label: string, ...content: Node[]): HTMLDialogElement {
-  const whole = make("dialog", { class: "palette", "aria-label": label }, ...content);
-  whole.addEventListener("close", () => whole.remove());
-  whole.addEventListener("click", (event) => {
-    if (event.target === whole) whole.close(); // beside it
-  });
-  document.body.append(whole);
-  whole.showModal();
-  return whole;
-}
-
 async function search(pages: Record<string, string>): Promise<void> {
   const field = make("input", {
     type: "text",
@@ -125,7 +114,7 @@ async function search(pages: Record<string, string>): Promise<void> {
   let goals = onThisPage(),
     found: Goal[] = [],
     at = 0;
-  const whole = dialog(tr("Go to"), field, list);
+  const whole = dialog("palette", tr("Go to"), field, list);
   const choose = (k: number) => {
     const goal = found[k];
     if (!goal) return;
@@ -182,6 +171,7 @@ const KEYS: [string, string][] = [
   ["← →", "step through the curves, with Shift in large steps; pan a record"],
   ["+ − 0", "zoom in, zoom out, show everything"],
   ["← ↑ → ↓", "turn the mechanism that has the focus, with Shift move it; + − 0 zoom it"],
+  ["PgUp PgDn", "previous and next curve in the large view of a curve"],
   ["[ ]", "previous and next trial"],
   ["9", "zoom to the event"],
   ["f", "fill the window with the curves"],
@@ -194,7 +184,13 @@ function keys(): void {
     make("dd", {}, tr(words)),
   ]);
   const close = make("button", { type: "button" }, tr("Close"));
-  const whole = dialog(tr("Keys"), make("h2", {}, tr("Keys")), make("dl", {}, ...rows), close);
+  const whole = dialog(
+    "palette",
+    tr("Keys"),
+    make("h2", {}, tr("Keys")),
+    make("dl", {}, ...rows),
+    close,
+  );
   close.addEventListener("click", () => whole.close());
 }
 

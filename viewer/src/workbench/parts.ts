@@ -5,9 +5,9 @@ import { make, written } from "../page";
 import type { Player } from "../player";
 import { tr } from "../words";
 import type { Answer, OfRig, Rig, RigNumber } from "./api";
+import { pinnedCurves, savable } from "./curves";
 import { mayLeave } from "./drafts";
 import { inWords } from "./quantities";
-import { savable } from "./saving";
 
 export { problem } from "./refusals";
 
@@ -409,7 +409,7 @@ export class Live {
       );
     }, 500);
     try {
-      const store = inWords(Store.of(await this.question(this.player?.shown ?? [])));
+      const store = inWords(Store.of(await this.question(this.player?.shown ?? pinnedCurves())));
       if (!this.element.isConnected) return;
       const model = store.content.viewers[0]!;
       if (this.player) this.player.replace(model, store);

@@ -3,12 +3,12 @@
 import { Store } from "../data";
 import { make, written } from "../page";
 import { tr } from "../words";
+import { savable } from "./curves";
 import { Question } from "./jobs";
 import { field, snippets } from "./parts";
 import { line, plane, svg } from "./picture";
 import { inWords } from "./quantities";
 import { advised, asSaid } from "./refusals";
-import { savable } from "./saving";
 import { table } from "./table";
 
 interface Preview {

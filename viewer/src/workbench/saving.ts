@@ -1,8 +1,6 @@
 /** Menus that save what a page shows: figures, tables and the whole page, or copy it. */
 
-import type { Model, Store } from "../data";
 import { make } from "../page";
-import { Player } from "../player";
 import { chartOf, type ShownChart } from "../shown";
 import { tr } from "../words";
 import * as api from "./api";
@@ -21,7 +19,7 @@ const textOf = (element: Element | null): string =>
   (element?.textContent ?? "").replace(/\s+/g, " ").trim();
 
 /** Title of the open page. */
-const title = (): string => textOf(document.querySelector("#main h1")) || "jounce";
+export const title = (): string => textOf(document.querySelector("#main h1")) || "jounce";
 
 async function file(form: Form, name: string, blocks: Block[], scale = 2): Promise<Blob> {
   const plain = blocks.map((block) =>
@@ -29,9 +27,10 @@ async function file(form: Form, name: string, blocks: Block[], scale = 2): Promi
       ? {
           ...block,
           x: Array.from(block.x),
-          panels: block.panels.map((panel) => ({
-            ...panel,
-            curves: panel.curves.map((curve) => ({ ...curve, y: Array.from(curve.y) })),
+          panels: block.panels.map(({ title, unit, curves }) => ({
+            title,
+            unit,
+            curves: curves.map((curve) => ({ ...curve, y: Array.from(curve.y) })),
           })),
         }
       : block,
@@ -175,17 +174,6 @@ export function saveDrawing(mechanism: HTMLElement): void {
       [tr("Copy the picture"), () => copyPicture(picture)],
     ]),
   );
-}
-
-/** Curves and mechanism with menus that save them. */
-export function savable(model: Model, store: Store): Player {
-  const player = new Player(model, store);
-  const plots = player.element.querySelector(".plots")!;
-  const caption = () => model.title || title();
-  player.element.querySelector(".bar")!.append(saveChart(plots, caption));
-  const mechanism = player.element.querySelector<HTMLElement>(".mechanism");
-  if (mechanism) saveDrawing(mechanism);
-  return player;
 }
 
 /** The clipboard, which browsers give only to pages of this machine or of https. */

@@ -4,10 +4,10 @@ import { Store } from "../../data";
 import { make, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
+import { savable } from "../curves";
 import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { field, once, problem, snippets } from "../parts";
 import { inWords } from "../quantities";
-import { savable } from "../saving";
 import { address, goTo, OPENS } from "../shell";
 import { table } from "../table";
 

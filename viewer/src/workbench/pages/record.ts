@@ -3,8 +3,10 @@
 import { Store } from "../../data";
 import { make, toggle, whenColoursChange } from "../../page";
 import { LinkedPlots } from "../../plots";
+import { sorted } from "../../shown";
 import { localised, tr } from "../../words";
 import * as api from "../api";
+import { offer, whenPinned } from "../curves";
 import { LiveSnippets, Newest } from "../parts";
 import { asSaid } from "../refusals";
 import { saveChart } from "../saving";
@@ -31,7 +33,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   const began = performance.now(),
     about = await api.get<About>(`/api/record?${api.query({ path })}`);
   if (!place.isConnected) return;
-  const shown = new Set(about.channels.slice(0, AT_FIRST).map((one) => one.name)),
+  const shown = new Set([
+      ...about.channels.map((one) => one.name).filter((one) => Number.isFinite(offer.rank(one))),
+      ...about.channels.slice(0, AT_FIRST).map((one) => one.name),
+    ]),
     newest = new Newest(),
     same = new LiveSnippets(),
     times: number[] = [];
@@ -47,7 +52,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         void ask();
       }
     },
+    offer,
   );
+  whenPinned(() => void ask());
   const ask = () =>
     newest.ask(async () => {
       if (!shown.size || !place.isConnected) return;
@@ -75,7 +82,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
             spans: [],
             window: null,
             whole: [about.first, about.last],
-            panes: scene.panes.map((pane) => ({
+            panes: sorted(scene.panes, (pane) => offer.rank(pane.name)).map((pane) => ({
+              name: pane.name,
               title: pane.name,
               unit: pane.unit,
               lines: pane.curves.map((curve) => ({

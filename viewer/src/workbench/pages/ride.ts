@@ -5,6 +5,7 @@ import { make, written } from "../../page";
 import { tr } from "../../words";
 import type { ParetoFront } from "../answers";
 import * as api from "../api";
+import { savable } from "../curves";
 import { Drafts, enter, entered } from "../drafts";
 import {
   accompany,
@@ -22,7 +23,6 @@ import { field, once, problem, select, snippets, textBox } from "../parts";
 import { line, plane, svg } from "../picture";
 import { inWords, MERITS, shownUnit } from "../quantities";
 import { advised, asSaid, raised } from "../refusals";
-import { savable } from "../saving";
 import { address, carry, given, goTo, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
 import type { Choices } from "./inspection";
