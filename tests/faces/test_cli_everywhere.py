@@ -19,6 +19,7 @@ from jounce.cli.reply import Elapsed, console, show_findings, table
 from jounce.cli.tables import FittedTable
 from jounce.core.display import current_units
 from jounce.core.findings import Finding
+from jounce.core.phrases import Phrase
 from jounce.core.waiting import Stage, progress_through
 
 RIG = "kart-quarter-car"
@@ -340,10 +341,35 @@ def test_time_passed_and_time_left() -> None:
     assert line.text() == "trial 2 of 4: b · 18 s, 25 %, about 25 s left"
     line.say(
         Stage("testing: {percent:.0f} %", share=0.5, percent=50.0)
-    )  # another phase: nothing is known of its speed
-    assert line.text() == "testing: 50 % · 18 s, 50 %"
+    )  # another phase: how much of the whole that is, nobody knows
+    assert line.text() == "testing: 50 % · 18 s"
     line.waits = "compiling"
     assert line.text().startswith("compiling · 18 s")
+
+
+def test_progress_through_several_stages_never_goes_back_and_promises_no_time() -> None:
+    now = [0.0]
+    line = Elapsed(lambda: now[0], ["bench", "update", "compare", "writing|write|draw"])
+    assert (line.share(), line.stage()) == (None, None)
+    shares = []
+    for text in (
+        Phrase("bench: {parts}", parts="spring"),
+        progress_through("update {which} of {count}", 1, 2),
+        progress_through("update {which} of {count}", 2, 2),
+        progress_through("compare trial {which} of {count}", 1, 4),
+        progress_through("compare trial {which} of {count}", 3, 4),
+        "compare: lumped model",
+        "write: results",
+        progress_through("draw: figure {which} of {count}", 2, 4),
+        "writing the report",
+    ):
+        now[0] += 5.0
+        line.say(text)
+        shares.append(line.share())
+        assert line.left() is None
+    assert shares == pytest.approx([0, 0.25, 0.375, 0.5, 0.625, 0.625, 0.75, 0.8125, 0.8125])
+    assert line.stage() == (4, 4)
+    assert line.text() == "writing the report · 45 s, stage 4 of 4"
 
 
 def test_sizes_of_files_that_cannot_be_meant_are_questioned(

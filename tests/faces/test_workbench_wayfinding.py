@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import shutil
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -187,3 +189,198 @@ def test_channels_of_a_trial_are_found_pinned_and_tabulated_alike(browser: Any, 
         it.is_accessible()
         page.keyboard.press("Escape")
         it.is_accessible()
+
+
+def test_a_job_shows_start_inputs_and_stage_and_tells_its_end_on_every_page(
+    browser: Any, base: str
+) -> None:
+    job: dict[str, Any] = {
+        "id": "000001-0a1b2c3d", "kind": "campaign", "title": "Campaign: kart", "state": "running", "python": "",
+        "command": "jounce campaign run kart.toml --out=results", "files": {}, "out": "results", "report": "",
+        "asked": {"kind": "campaign", "campaign": "kart.toml", "out": "results", "force": False},
+        "begun": time.time() - 31.0, "ended": None, "lasted": 31.0, "said": "update 2 of 5: damper",
+        "said_german": None, "share": 0.3, "left": None, "stage": [2, 4], "steps": [], "error": None, "german": None,
+    }  # fmt: skip
+    sockets: list[Any] = []
+    with opened(browser, base) as it:
+        page = it.page
+        page.context.grant_permissions(["notifications"])
+
+        def hear(socket: Any) -> None:
+            sockets.append(socket)
+
+        page.route_web_socket("**/api/live", hear)
+
+        def say(**changes: Any) -> None:
+            job.update(changes)
+            it.until("() => true")
+            sockets[-1].send(json.dumps([job]))
+
+        it.go("jobs")
+        page.get_by_text("The system notifies you when a job ends").wait_for()
+        say()
+        card = page.locator("article.job")
+        card.get_by_text("stage 2 of 4").wait_for()
+        told = card.inner_text()
+        assert "started " in told
+        assert "for 31 s" in told
+        assert "left" not in told
+        assert "campaign kart.toml · into results" in told
+        bar = card.get_by_role("progressbar")
+        assert bar.evaluate("one => one.value") == pytest.approx(0.3)
+        it.is_accessible()
+        it.go("trial", f"rig={CORNER}")
+        page.evaluate(
+            """() => {
+                globalThis.notices = [];
+                globalThis.Notification = class extends EventTarget {
+                    static permission = 'granted';
+                    constructor(title, { body }) { super(); notices.push(body); }
+                };
+                Object.defineProperty(document, 'hidden', { value: true, configurable: true });
+            }"""
+        )
+        title = page.title()
+        say(share=0.9, stage=[4, 4])
+        assert page.title() == title
+        say(state="done", ended=time.time(), share=1.0, left=None)
+        it.until("document.title.startsWith('✓ ')")
+        assert page.evaluate("notices") == ["Campaign: kart: done"]
+        it.until(
+            "[...document.querySelectorAll('[role=status]')].some(one => one.textContent === 'Campaign: kart: done')"
+        )
+        page.evaluate(
+            """() => {
+                Object.defineProperty(document, 'hidden', { value: false, configurable: true });
+                document.dispatchEvent(new Event('visibilitychange'));
+            }"""
+        )
+        assert page.title() == title
+
+
+def test_a_real_job_says_when_it_began_and_what_it_was_asked(
+    browser: Any, base: str, workbench: tuple[Path, int]
+) -> None:
+    (workbench[0] / "study.toml").write_text(
+        'schema = "jounce.sweep/1"\nrig = "kart-quarter-car"\nmetrics = ["max sprung.az"]\n'
+        'trial = {speed = "2 m/s", duration = "0.2 s", road = {kind = "half-sine", height = "10 mm", '
+        'length = "60 mm"}}\ndesign = {kind = "monte-carlo", count = 4}\nvary = {"strut.spring.rate" = "20 %"}\n'
+    )
+    with opened(browser, base, locale="de-DE", viewport={"width": 390, "height": 720}) as it:
+        it.go("jobs")
+        it.page.get_by_role("button", name="Benachrichtigen").wait_for()
+        it.page.evaluate(
+            """([token]) => fetch('/api/jobs', {method: 'POST', body: JSON.stringify({kind: 'sweep',
+            study: 'study.toml', out: 'swept'}), headers: {Authorization: `Bearer ${token}`,
+            'Content-Type': 'application/json'}})""",
+            [TOKEN],
+        )
+        card = it.page.locator("article.job").filter(has_text="study")
+        card.get_by_text("fertig").wait_for()
+        told = card.inner_text()
+        assert "Studie study.toml · Ordner swept" in told
+        assert "begonnen" in told
+        it.is_accessible()
+
+
+def test_five_hundred_files_are_searched_sorted_and_folded_and_stay_so(
+    browser: Any, base: str, workbench: tuple[Path, int]
+) -> None:
+    many = workbench[0] / "many"
+    many.mkdir(exist_ok=True)
+    for k in range(500):
+        rows = "".join(f"{0.1 * i:.1f},{i}\n" for i in range(3 + k))
+        (many / f"run_{k}.csv").write_text(f"time [s],sprung.z [mm]\n{rows}")
+    try:
+        with opened(browser, base) as it:
+            page = it.page
+            it.go("project")
+            files = page.get_by_role("region", name="Files", exact=True)
+            files.get_by_text("record (500)").wait_for()
+            assert page.evaluate("document.querySelector('.files').scrollHeight") < 1200
+            assert files.locator("tbody tr").count() < 40
+            files.get_by_text("record (500)").click()
+            files.get_by_label("Sort by").select_option("largest first")
+            region = files.get_by_role("region", name="files: record")
+            assert region.locator("tbody th").first.inner_text() == "many/run_499.csv"
+            assert page.evaluate("document.querySelector('.files').scrollHeight") < 1700
+            it.is_accessible()
+            page.reload()
+            page.wait_for_selector("html[data-ready=project]")
+            assert region.locator("tbody th").first.inner_text() == "many/run_499.csv"
+            files.get_by_label("Sort by").select_option("name")
+            assert region.locator("tbody th").nth(2).inner_text() == "many/run_2.csv"
+            files.get_by_text("record (500)").click()
+            files.get_by_label("Search files").fill("run_49, wishbone")
+            assert region.locator("tbody tr").count() == 11
+            files.get_by_text("12 of ").wait_for()
+            it.until(
+                "[...document.querySelectorAll('[role=status]')].some(one => /12 of 50/.test(one.textContent))"
+            )
+            files.get_by_label("Search files").fill("")
+            files.get_by_label("Group by").select_option("folder")
+            files.get_by_text("many (500)").wait_for()
+            files.get_by_label("Group by").select_option("kind")
+
+            page.keyboard.press("Control+k")
+            box = page.get_by_role("combobox", name="Search pages, files, rigs")
+            it.until("document.querySelectorAll('#palette-list li').length === 40")
+            took = page.evaluate(
+                """() => {
+                    const field = document.querySelector('[role=combobox]'), began = performance.now();
+                    for (const text of ['r', 'ru', 'run_4', 'run_49', 'run_499']) {
+                        field.value = text;
+                        field.dispatchEvent(new Event('input'));
+                    }
+                    return (performance.now() - began) / 5;
+                }"""
+            )
+            assert took < 100, "ms from a letter to the matches"
+            assert page.get_by_role("option").first.inner_text().startswith("many/run_499.csv")
+            box.fill("double wishbone kart kinematics")
+            page.get_by_role("option", name="kart-double-wishbone: kinematics").wait_for()
+    finally:
+        shutil.rmtree(many)
+
+
+def test_the_palette_knows_quantities_and_channels_of_the_page(browser: Any, base: str) -> None:
+    with opened(browser, base) as it:
+        page = it.page
+        it.go("trial", f"rig={CORNER}")
+        page.locator(".player .tools").first.wait_for()
+        hidden = page.locator("[data-channel][aria-pressed=false]").last
+        name = str(hidden.get_attribute("data-channel"))
+        page.keyboard.press("Control+k")
+        page.get_by_role("combobox", name="Search pages").fill(f"{name} show the curve")
+        page.get_by_role("option", name=name).first.wait_for()
+        page.keyboard.press("Enter")
+        page.locator(f".pane-head [data-curve='{name}'].enlarge").wait_for()
+        page.keyboard.press("Control+k")
+        page.get_by_role("combobox", name="Search pages").fill("Speed quantity")
+        page.get_by_role("option", name="Speed").first.wait_for()
+        page.keyboard.press("Enter")
+        assert page.evaluate("document.activeElement.closest('label').textContent") == "Speed"
+
+
+def test_shipped_rigs_have_a_drawing_and_a_kind(browser: Any, base: str) -> None:
+    with opened(browser, base, locale="de-DE", viewport={"width": 390, "height": 720}) as it:
+        page = it.page
+        asked: list[str] = []
+        page.on("request", lambda request: asked.append(request.url))
+        it.go("project")
+        cards = page.locator(".gallery li")
+        assert cards.count() == len(jn.parts.library())
+        card = cards.filter(has_text="generic-mcpherson")
+        assert "McPherson" in card.inner_text()
+        assert not any("name=van-front" in url for url in asked)
+        card.scroll_into_view_if_needed()
+        it.until("document.querySelector('img[data-rig=generic-mcpherson]').naturalWidth > 0")
+        it.is_accessible()
+        card.get_by_role("button", name="wählen").press("Enter")
+        assert page.evaluate("document.activeElement.value") == "generic-mcpherson.toml"
+        it.go("kinematics")
+        link = page.get_by_role("link", name="öffnen: suv-front")
+        assert page.locator(".gallery li").filter(has_text="kart-quarter-car").count() == 0
+        it.is_accessible()
+        link.click()
+        page.wait_for_selector(".multiples figure")

@@ -48,7 +48,7 @@ from jounce.campaign.updated_rigs import updated_rigs
 from jounce.core.errors import DescriptionError, FitError, JounceError, reason, unknown
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.phrases import Phrase, Phrases
-from jounce.core.waiting import progress_through
+from jounce.core.waiting import Stage, progress_through
 from jounce.design.lumping import lumped_from
 from jounce.design.model_comparison import (
     ModelComparison,
@@ -432,6 +432,7 @@ class Runner:
     records: Mapping[int, xr.Dataset] = field(default_factory=dict)
     sought: dict[int, Sought] = field(default_factory=dict)
     as_read: dict[int, _Loaded] = field(default_factory=dict)
+    strategies: tuple[int, int] = (0, 1)  # compared with all trials, of how many
 
     def fit_trial(self, item: _Loaded, knowledge: Knowledge) -> FitTrial:
         """Return a trial with its rig as set up for it."""
@@ -641,6 +642,7 @@ class Runner:
         """Compare the model with all trials before and after every update."""
         compared = []
         for k, strategy in enumerate(strategies, 1):
+            self.strategies = (k - 1, len(strategies))
             self.progress(
                 progress_through(
                     "compare strategy {which} of {count}: {name}",
@@ -774,9 +776,15 @@ class Runner:
             return TrialResult(entry, None, None, None, {}, {})
         which = list(self.loaded).index(entry.number) + 1
         title = Phrase("trial {number}", number=entry.number)
+        done, strategies = self.strategies
+        count = len(self.loaded)
         self.progress(
-            progress_through(
-                "compare trial {which} of {count}: {name}", which, len(self.loaded), name=title
+            Stage(
+                "compare trial {which} of {count}: {name}",
+                share=(done + (which - 1) / count) / strategies,
+                which=which,
+                count=count,
+                name=title,
             )
         )
         lag = lags.get(name, None if aligned else 0.0)

@@ -56,13 +56,13 @@ def demo(
 
     Example: jounce demo --out jounce-demo
     """
-    from jounce.report.campaign_folder import check_forms, reported_page, write_reported
+    from jounce.report.campaign_folder import STAGES, check_forms, reported_page, write_reported
 
     check_outputs(folder=out, force=force)
     asked = {"figures": figure or (), "tables": table_ or (), "reports": report or ()}
     with naming_options(_RUN.values()):
         check_forms(**asked)
-    with progress() as say:
+    with progress(STAGES) as say:
         from jounce.papers.demo import run_demo
 
         folder, result = run_demo(out, quick=quick, force=force, progress=say)

@@ -119,7 +119,7 @@ def answer(operation: Operation, given: Mapping[str, Any]) -> Reply:
     typed = {p.option: p.default for p in operation.parameters} | {
         p.option: value for p, value in request.values()
     }
-    with progress() as say:
+    with progress(operation.stages) as say:
         say("loading")
         resolve(operation.function)
         made = request.make(values)

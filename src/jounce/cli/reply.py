@@ -181,10 +181,16 @@ class Elapsed:
     ----------
     clock : callable
         Returns the time in s.
+    stages : sequence of str
+        How the texts of each stage begin, with ``|`` between those of one stage. With several stages, or when a
+        second phase turns up without them, the remaining time is unknown; the share never decreases.
     """
 
-    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
-        self.clock = clock
+    def __init__(
+        self, clock: Callable[[], float] = time.monotonic, stages: Sequence[str] = ()
+    ) -> None:
+        self.clock, self.stages = clock, [tuple(one.split("|")) for one in stages]
+        self._stage, self._within, self._shared, self._is_known = -1, 0.0, "", True
         self.started = clock()
         self.said, self.waits = "starting", ""
         self._phase, self._since, self._from, self._heard = "", self.started, 0.0, self.started
@@ -194,12 +200,30 @@ class Elapsed:
         self.said, self._heard = text, self.clock()
         phase = getattr(text, "phase", text.partition(":")[0])
         if phase != self._phase:
-            self._phase, self._since, self._from = phase, self._heard, self.share() or 0.0
+            self._phase, self._since, self._from = phase, self._heard, self._own_share() or 0.0
+        share = self._own_share()
+        if share is not None:
+            self._is_known = self._is_known and self._shared in ("", phase)
+            self._shared = phase
+        stage = next((k for k, one in enumerate(self.stages) if text.startswith(one)), -1)
+        if stage > self._stage:
+            self._stage, self._within = stage, 0.0
+        if stage == self._stage >= 0:
+            self._within = max(self._within, share or 0.0)
 
-    def share(self) -> float | None:
-        """Completed share of the current work, 0 to 1; None if unknown."""
+    def _own_share(self) -> float | None:
         share: float | None = getattr(self.said, "share", None)
         return share
+
+    def share(self) -> float | None:
+        """Completed share of the whole work, 0 to 1, each stage counted alike; None if unknown."""
+        if self.stages:
+            return (self._stage + self._within) / len(self.stages) if self._stage >= 0 else None
+        return self._own_share() if self._is_known else None
+
+    def stage(self) -> tuple[int, int] | None:
+        """Which stage of how many; None if there is only one, or before the first."""
+        return (self._stage + 1, len(self.stages)) if self._stage >= 0 else None
 
     def text(self) -> str:
         """Return the progress as one line.
@@ -217,6 +241,8 @@ class Elapsed:
         now = self.clock()
         line = f"{self.waits or self.said} · {_duration(now - self.started)}"
         share, left = self.share(), self._left(now)
+        if stage := self.stage():
+            return f"{line}, stage {stage[0]} of {stage[1]}"
         if not share:
             return line
         return f"{line}, {100.0 * share:.0f} %" + (
@@ -224,11 +250,11 @@ class Elapsed:
         )
 
     def left(self) -> float | None:
-        """Remaining time (s) of the current work, estimated from its completed share; None if unknown."""
+        """Remaining time (s), estimated from the completed share; None if unknown, as with several stages."""
         return self._left(self.clock())
 
     def _left(self, now: float) -> float | None:
-        share = self.share()
+        share = None if self.stages else self.share()
         done = (share or 0.0) - self._from
         if share is None or done <= 0.0:
             return None
@@ -272,11 +298,11 @@ def followed_by(follower: Callable[[Elapsed], None]) -> Iterator[None]:
 
 
 @contextmanager
-def progress() -> Iterator[Callable[[str], None]]:
+def progress(stages: Sequence[str] = ()) -> Iterator[Callable[[str], None]]:
     """Return a function that shows one line of progress on stderr, if that is a terminal.
 
-    The line ends with the elapsed time, and with fraction and remaining time if known (`Stage`). Within
-    `followed_by`, progress is reported to the given function instead.
+    The line ends with the elapsed time, and with fraction and remaining time if known (`Stage`), or with the stage
+    (`Elapsed`). Within `followed_by`, progress is reported to the given function instead.
     """
     follower = _FOLLOWER.get()
     if follower is None and not sys.stderr.isatty():
@@ -284,7 +310,7 @@ def progress() -> Iterator[Callable[[str], None]]:
         return
     from jounce.core.waiting import Waiting, heard_by
 
-    line = Elapsed()
+    line = Elapsed(stages=stages)
 
     def wait(text: str | None) -> None:
         line.waits = text.what if isinstance(text, Waiting) else text or ""

@@ -307,6 +307,7 @@ class Registration:
     title: str = ""
     comment: str = ""
     doing: str = "computing"
+    stages: tuple[str, ...] = ()
     example: str = ""
     note: str = ""
 
@@ -332,7 +333,9 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
         instead, if it returns a different form of the result. ``page``: ``module:function`` that puts the result on a
         page; ``terminal``: the same for a terminal, if that shows less. ``figure``: ``module:function`` that draws the
         result, if it is not the figure of its type. ``title``, ``comment``: heading of the page and first line of a rig
-        file, with options and ``result`` in braces. ``doing``: text shown while it runs. ``example``: a command line.
+        file, with options and ``result`` in braces. ``doing``: text shown while it runs. ``stages``: how its
+        progress texts begin, stage by stage, with ``|`` between those of one stage, if there are several stages.
+        ``example``: a command line.
         ``note``: help of the command below its first line.
 
     Notes

@@ -82,7 +82,7 @@ class Operation:
         Whether it accepts ``each``, which shows each part of the result as soon as it is available.
     command, echo, offers, required, names_files, check, python, page, terminal, figure
         Arguments of :func:`jounce.core.operation.operation`.
-    title, comment, doing, example, note
+    title, comment, doing, stages, example, note
         Text arguments of the same function.
     """
 
@@ -106,6 +106,7 @@ class Operation:
     doing: str
     example: str
     note: str = ""
+    stages: tuple[str, ...] = ()
     has_each: bool = False
 
     @property
@@ -144,7 +145,7 @@ def _operation(row: Mapping[str, Any]) -> Operation:
         key: tuple(options) if isinstance(options, list) else options
         for key, options in row["echo"].items()
     }
-    texts = {name: tuple(row[name]) for name in ("offers", "required")}
+    texts = {name: tuple(row.get(name, ())) for name in ("offers", "required", "stages")}
     return Operation(**{**row, "parameters": parameters, "makers": makers, "echo": echo, **texts})
 
 

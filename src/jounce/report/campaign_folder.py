@@ -76,6 +76,10 @@ class ReportedCampaign(Shown):
         return {**self.result.to_dict(), "is_complete": self.is_met, "out": str(self.out), **drawn}
 
 
+STAGES = ("bench", "update", "compare", "writing|write|draw")
+"""How the progress of a reported campaign begins in each stage."""
+
+
 @operation(
     "campaign run",
     named={"path": "campaign", "figures": "figure", "tables": "table", "reports": "report"},
@@ -83,6 +87,7 @@ class ReportedCampaign(Shown):
     page="jounce.report.campaign_folder:reported_page",
     title="{result.result.campaign.title}",
     doing="reading the campaign",
+    stages=STAGES,
     example="jounce campaign run campaign.toml --out results",
 )
 def report_campaign(

@@ -6,7 +6,7 @@ import json
 import os
 import tomllib
 from collections.abc import Callable
-from functools import partial
+from functools import lru_cache, partial
 from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -217,14 +217,24 @@ def create_app(
 
     @app.get("/api/library")
     def library() -> list[dict[str, str | bool]]:
-        """List the shipped rigs and vehicles, and which of them are corners with kinematics."""
+        """List the shipped rigs and vehicles: model, source, and which of them are corners with kinematics."""
         from jounce.parts.files import library as shipped
 
-        texts = {name: file.read_text(encoding="utf-8") for name, file in shipped().items()}
+        tables = {name: tomllib.loads(file.read_text("utf-8")) for name, file in shipped().items()}
         return [
-            {"name": name, "has_hardpoints": "hardpoints" in tomllib.loads(text)}
-            for name, text in texts.items()
+            {
+                "name": name,
+                "model": str(table["model"]),
+                "source": str(table.get("source", "")),
+                "has_hardpoints": "hardpoints" in table,
+            }
+            for name, table in tables.items()
         ]
+
+    @app.get("/api/drawing")
+    def drawing(name: str) -> Response:
+        """Return a small picture of a shipped rig or vehicle (SVG)."""
+        return Response(_drawing(name), media_type="image/svg+xml")
 
     @app.post("/api/library")
     def start(asked: Started) -> Text:
@@ -347,6 +357,17 @@ def create_app(
     for path, asset in assets().items():
         app.add_api_route(path, _served(asset), include_in_schema=False)
     return Guard(app, token=token, port=port)
+
+
+@lru_cache(64)
+def _drawing(name: str) -> str:
+    from jounce.core.errors import unknown
+    from jounce.parts.files import library, load
+    from jounce.plots.mechanisms.sketch import sketch
+
+    if name not in library():
+        raise unknown(name, library(), what="rig", where="name")
+    return sketch(load(name))
 
 
 def _document(entry: Entry) -> str:

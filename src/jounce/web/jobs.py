@@ -84,6 +84,7 @@ class _Progress(BaseModel):
     said_german: str | None = None
     share: FiniteFloat | None = None
     left: FiniteFloat | None = None
+    stage: tuple[int, int] | None = None
     steps: list[dict[str, Any]] = Field(default_factory=list)
 
 

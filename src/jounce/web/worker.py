@@ -98,6 +98,7 @@ class _Told:
                     "said_german": german_of(said),
                     "share": line.share(),
                     "left": line.left(),
+                    "stage": line.stage(),
                 }
             put(self.file, state)
             self.written = time.monotonic()

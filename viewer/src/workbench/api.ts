@@ -122,7 +122,14 @@ export function folder(): Promise<string> {
   });
   return place;
 }
-export const library = () => get<{ name: string; has_hardpoints: boolean }[]>("/api/library");
+/** A shipped rig or vehicle. */
+export interface Shipped {
+  name: string;
+  model: string;
+  source: string;
+  has_hardpoints: boolean;
+}
+export const library = () => get<Shipped[]>("/api/library");
 export const file = (path: string) => get<answers.Text>(`/api/file?${query({ path })}`);
 export const versions = (path: string) =>
   get<answers.Version[]>(`/api/versions?${query({ path })}`);

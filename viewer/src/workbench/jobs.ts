@@ -3,6 +3,8 @@
 import { make, whenLeft, written } from "../page";
 import { heard, isGerman, tr } from "../words";
 import { asked, get, token, upload } from "./api";
+import { moment } from "./drafts";
+import { notify } from "./notices";
 import { InTurn, problem, snippets } from "./parts";
 import { type Finding, learnt, Refused } from "./refusals";
 
@@ -29,6 +31,7 @@ export interface Job {
   said_german: string | null;
   share: number | null;
   left: number | null;
+  stage: [number, number] | null;
   steps: Step[];
   error: string | null;
   german: string | null;
@@ -49,12 +52,16 @@ export interface Reply<T> {
 
 const send = async <T>(method: string, path: string, body?: unknown): Promise<T> =>
   learnt((await (await asked(method, path, body)).json()) as T);
-export const begin = (task: object) => send<Job>("POST", "/api/jobs", task);
+export const begin = async (task: object): Promise<Job> => {
+  const job = await send<Job>("POST", "/api/jobs", task);
+  tellEnds([job]);
+  return job;
+};
 export const ask = <T>(task: object) => send<Reply<T>>("POST", "/api/ask", task);
 export const whole = <T>(id: string) => get<Whole<T>>(`/api/jobs/${encodeURIComponent(id)}`);
 
 type Listener = (jobs: Job[]) => void;
-const listeners = new Map<Listener, { node: Node; shown: boolean }>();
+const listeners = new Map<Listener, { node: Node; shown: boolean; isOfEnds?: boolean }>();
 let latest: Job[] | null = null,
   socket: WebSocket | null = null,
   pause = 1000;
@@ -111,6 +118,30 @@ export function follow(node: Node, listener: Listener): void {
   if (!socket) open();
 }
 
+const runs = (job: Job) => job.state === "running" || job.state === "cancelling";
+const ends = new Set<string>(); // jobs that were seen running
+
+/** Tells of every job that ends from now on, on whichever page, until none runs. */
+function tellEnds(jobs: Job[]): void {
+  for (const job of jobs) if (runs(job)) ends.add(job.id);
+  if (!ends.size || [...listeners.values()].some((one) => one.isOfEnds)) return;
+  const listener: Listener = (jobs) => {
+    for (const job of jobs) {
+      if (runs(job)) ends.add(job.id);
+      else if (ends.delete(job.id))
+        notify(`${titled(job.title)}: ${tr(WORDS[job.state])}`, job.state === "done");
+    }
+    if (!ends.size) listeners.delete(listener);
+  };
+  listeners.set(listener, { node: document.body, shown: true, isOfEnds: true });
+  if (!socket) open();
+}
+
+/** Tells of the jobs that run while the workbench opens. */
+export async function tellRunning(): Promise<void> {
+  tellEnds(await get<Job[]>("/api/jobs"));
+}
+
 const WORDS: Record<Job["state"], string> = {
   running: "running",
   cancelling: "stopping",
@@ -140,11 +171,41 @@ export function lasting(seconds: number): string {
 export const titled = (title: string) =>
   isGerman ? heard(title).replace(/^(.+) on (\S+) at (\S+(?: \S+)?)$/, "$1 auf $2 mit $3") : title;
 
+const INPUTS: Record<string, string> = { out: "into", changes: "with", holding: "road holding" },
+  NOT_INPUTS = ["kind", "force", "resume", "language"],
+  MOST_INPUTS = 8,
+  LONGEST_INPUT = 60;
+
+/** What a job was asked for: names as in its form, values as they were typed. */
+function inputsOf({ asked }: Job): string {
+  const written = (value: unknown): string => {
+    if (Array.isArray(value)) return value.map(written).join(", ");
+    if (value !== null && typeof value === "object")
+      return Object.entries(value)
+        .map(([name, one]) => `${name} = ${written(one)}`)
+        .join(", ");
+    return value === null || value === false ? "" : String(value);
+  };
+  const inputs = Object.entries(asked ?? {})
+    .filter(([name]) => !NOT_INPUTS.includes(name))
+    .map(([name, value]): [string, string] => [name, written(value)])
+    .filter(([, text]) => text)
+    .map(([name, text]) => {
+      const short = text.length > LONGEST_INPUT ? `${text.slice(0, LONGEST_INPUT)} …` : text;
+      const own = isGerman ? tr(`input: ${name}`).replace(/^input: /, "") : (INPUTS[name] ?? name);
+      return `${own} ${short}`;
+    });
+  return [...inputs.slice(0, MOST_INPUTS), ...(inputs.length > MOST_INPUTS ? ["…"] : [])].join(
+    " · ",
+  );
+}
+
 /** Card of one job: its task, progress, errors and actions. */
 export class JobCard {
   readonly element = make("article", { class: "job" });
   private readonly state = make("span", { class: "mark" });
   private readonly times = make("span", { class: "muted" });
+  private readonly inputs = make("p", { class: "inputs muted" });
   private readonly said = make("p", { class: "state", role: "status" });
   private readonly bar = make("progress", { max: "1" });
   private readonly actions = make("div", { class: "bar" });
@@ -155,9 +216,12 @@ export class JobCard {
     public job: Job,
     private readonly open?: (job: Job) => void,
   ) {
+    this.inputs.textContent = inputsOf(job);
+    this.inputs.hidden = !this.inputs.textContent;
     this.bar.setAttribute("aria-label", heard(`progress of ${titled(job.title)}`));
     this.element.append(
       make("div", { class: "bar" }, make("h3", {}, titled(job.title)), this.state, this.times),
+      this.inputs,
       this.bar,
       this.said,
       this.status,
@@ -169,13 +233,14 @@ export class JobCard {
   show(job: Job): void {
     if (this.job.ended && !job.ended) return; // what ended does not go on: this was told before
     this.job = job;
-    const runs = job.state === "running" || job.state === "cancelling";
+    const isRunning = runs(job);
+    if (isRunning) tellEnds([job]);
     this.state.textContent = tr(WORDS[job.state]);
     this.state.className = `mark ${TONES[job.state]}`;
-    this.bar.hidden = !runs;
+    this.bar.hidden = !isRunning;
     if (job.share === null) this.bar.removeAttribute("value");
     else this.bar.value = job.share;
-    this.said.hidden = !runs;
+    this.said.hidden = !isRunning;
     this.said.textContent = tr(
       job.state === "cancelling"
         ? "stopping; finished results are kept"
@@ -219,7 +284,7 @@ export class JobCard {
     this.actions.replaceChildren(
       ...(job.state === "running" ? [act("Cancel", () => send("POST", `${path}/cancel`, {}))] : []),
       ...(this.open && (job.state === "done" || job.kind === "sweep") ? [opens()] : []),
-      ...(!runs && job.state !== "done"
+      ...(!isRunning && job.state !== "done"
         ? [
             act(
               job.kind === "sweep" ? "Resume" : "Restart",
@@ -228,7 +293,7 @@ export class JobCard {
             ),
           ]
         : []),
-      ...(!runs ? [act("Remove", () => send("DELETE", path))] : []),
+      ...(!isRunning ? [act("Remove", () => send("DELETE", path))] : []),
     );
     this.actions.append(
       make("details", {}, make("summary", {}, "In Python and on the command line"), snippets(job)),
@@ -236,9 +301,11 @@ export class JobCard {
   }
 
   private tick(): void {
-    const { ended, lasted, share, left, state } = this.job; // by the server's clock that does not jump: it tells every second
-    const parts = lasted === null ? [] : [tr(ended ? "took #" : "for #", lasting(lasted))];
-    if (state === "running" && share !== null) parts.push(`${written(100 * share, 3)} %`);
+    const { begun, ended, lasted, share, left, stage, state } = this.job; // by the server's clock that does not jump: it tells every second
+    const parts = [tr("started #", moment(1000 * begun))];
+    if (lasted !== null) parts.push(tr(ended ? "took #" : "for #", lasting(lasted)));
+    if (state === "running" && stage) parts.push(tr("stage # of ", String(stage[0])) + stage[1]);
+    else if (state === "running" && share !== null) parts.push(`${written(100 * share, 3)} %`);
     if (state === "running" && left !== null && left >= 1)
       parts.push(tr("about # left", lasting(left)));
     this.times.textContent = parts.join(" · ");

@@ -103,7 +103,10 @@ api.project().then(
   },
   () => {},
 );
-void show();
+void show()
+  .then(() => import("./jobs"))
+  .then(({ tellRunning }) => tellRunning())
+  .catch(() => {}); // the page says itself that the server does not respond
 
 /** For benchmarks and tests. */
 Object.assign(globalThis, {

@@ -5,6 +5,7 @@ import { tr } from "../words";
 import * as api from "./api";
 import { dialog } from "./dialog";
 import { address, OPENS } from "./shell";
+import { kindOf } from "./shipped";
 
 /** Something that can be gone to or done; `where` says what kind of thing it is. */
 interface Goal {
@@ -29,26 +30,42 @@ function show(element: HTMLElement): void {
   );
 }
 
-/** Headings, curves and buttons of the open page. */
+/** Headings, curves, channels that can be shown, fields and buttons of the open page. */
 function onThisPage(): Goal[] {
   const main = document.getElementById("main")!,
     words = (element: Element) => (element.textContent ?? "").replace(/\s+/g, " ").trim();
   const seen = (element: HTMLElement) => element.offsetParent !== null;
   const of = (selector: string) => [...main.querySelectorAll<HTMLElement>(selector)].filter(seen);
+  const goals = (selector: string, where: string, does: (element: HTMLElement) => void): Goal[] =>
+    of(selector).map((one) => ({ words: words(one), where: tr(where), go: () => does(one) }));
   return [
-    ...of("h2, h3").map((one) => ({
-      words: words(one),
-      where: tr("on this page"),
-      go: () => show(one),
+    ...goals("h2, h3", "on this page", show),
+    ...goals(".multiples figure b, .pane-head b", "curve", (one) => {
+      const whole = one.closest<HTMLElement>("figure, .pane-head")!;
+      show(whole);
+      whole.querySelector<HTMLElement>(".enlarge")?.focus({ preventScroll: true });
+    }),
+    ...[...main.querySelectorAll<HTMLElement>("[data-channel][aria-pressed=false]")].map((one) => ({
+      words: [words(one), one.title].filter(Boolean).join(", "),
+      where: tr("show the curve"),
+      go: () => one.click(), // also of those behind a button
     })),
-    ...of(".multiples figure").map((one) => ({
-      words: words(one.querySelector("b")!),
-      where: tr("curve"),
-      go: () => show(one),
+    ...of(".field > :is(input, select), .slider input[type=number]").map((one) => ({
+      words:
+        one.getAttribute("aria-label") ?? words(one.closest(".field")!.firstElementChild ?? one),
+      where: tr("quantity"),
+      go: () => {
+        show(one);
+        one.focus({ preventScroll: true });
+      },
     })),
-    ...of("button:not(:disabled)")
+    ...of("button:not(:disabled, [data-channel])")
       .filter((one) => words(one).length > 2 && !one.closest("details:not([open])"))
-      .map((one) => ({ words: words(one), where: tr("action"), go: () => one.click() })),
+      .map((one) => ({
+        words: one.getAttribute("aria-label") ?? words(one),
+        where: tr("action"),
+        go: () => one.click(),
+      })),
   ];
 }
 
@@ -69,18 +86,18 @@ async function everywhere(pages: Record<string, string>): Promise<Goal[]> {
           go: open(page, { [key]: entry.path }),
         })),
     ),
-    ...library.flatMap(({ name, has_hardpoints }) => [
+    ...library.flatMap((one) => [
       {
-        words: `${name}: ${tr("drive")}`,
-        where: tr("shipped with jounce"),
-        go: open("trial", { rig: name }),
+        words: `${one.name}: ${tr("drive")}`,
+        where: `${tr("shipped with jounce")}, ${kindOf(one)}`,
+        go: open("trial", { rig: one.name }),
       },
-      ...(has_hardpoints
+      ...(one.has_hardpoints
         ? [
             {
-              words: `${name}: ${tr("kinematics")}`,
-              where: tr("shipped with jounce"),
-              go: open("kinematics", { rig: name }),
+              words: `${one.name}: ${tr("kinematics")}`,
+              where: `${tr("shipped with jounce")}, ${kindOf(one)}`,
+              go: open("kinematics", { rig: one.name }),
             },
           ]
         : []),
@@ -107,8 +124,8 @@ async function search(pages: Record<string, string>): Promise<void> {
     role: "combobox",
     "aria-expanded": "true",
     "aria-controls": "palette-list",
-    "aria-label": tr("Search pages, files, curves and actions"),
-    placeholder: tr("Search pages, files, curves and actions"),
+    "aria-label": tr("Search pages, files, rigs, curves, quantities and actions"),
+    placeholder: tr("Search pages, files, rigs, curves, quantities and actions"),
   });
   const list = make("ul", { id: "palette-list", role: "listbox", "aria-label": tr("matches") });
   let goals = onThisPage(),
@@ -164,7 +181,7 @@ async function search(pages: Record<string, string>): Promise<void> {
 }
 
 const KEYS: [string, string][] = [
-  ["Ctrl K", "search pages, files, curves and actions"],
+  ["Ctrl K", "search pages, files, rigs, curves, quantities and actions"],
   ["?", "show this list"],
   ["Ctrl Z, Ctrl Y", "undo and redo what was entered"],
   ["Space", "play the curves that have the focus"],
@@ -217,7 +234,7 @@ export const searchButton = (pages: Record<string, string>): HTMLButtonElement =
     {
       type: "button",
       class: "search",
-      title: `${tr("Search pages, files, curves and actions")} (Ctrl K)`,
+      title: `${tr("Search pages, files, rigs, curves, quantities and actions")} (Ctrl K)`,
       "aria-label": tr("Go to"), // pages have a button "Search" of their own
       click: () => void search(pages),
     },

@@ -4,6 +4,7 @@ import { passing } from "../browser";
 import { make } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
+import { gallery } from "./shipped";
 
 export type Values = URLSearchParams;
 /** A page has a label in the header, and fills its place once loaded; its errors are shown there with a link back. */
@@ -111,9 +112,7 @@ export async function choose(
     )
     .map((entry) => entry.path);
   const others = shipped
-    ? (await api.library())
-        .filter((one) => page !== "kinematics" || one.has_hardpoints)
-        .map((one) => one.name)
+    ? (await api.library()).filter((one) => page !== "kinematics" || one.has_hardpoints)
     : [];
   place.replaceChildren(
     make("h1", {}, label),
@@ -131,7 +130,21 @@ export async function choose(
         ]
       : []),
     ...(own.length ? [make("h2", {}, tr("In this project")), list(own)] : []),
-    ...(others.length ? [make("h2", {}, tr("Shipped with jounce")), list(others)] : []),
+    ...(others.length
+      ? [
+          make("h2", {}, tr("Shipped with jounce")),
+          gallery(others, (one) => [
+            make(
+              "a",
+              {
+                href: address(page, { [key]: one.name, ...more }),
+                "aria-label": `${tr("open")}: ${one.name}`,
+              },
+              tr("open"),
+            ),
+          ]),
+        ]
+      : []),
     ...(own.length || others.length
       ? []
       : [

@@ -2,6 +2,7 @@
 
 import { make } from "../../page";
 import { type Job, jobList } from "../jobs";
+import { noticeButton } from "../notices";
 import { address } from "../shell";
 
 export const PAGES_OF: Record<string, string> = {
@@ -24,6 +25,7 @@ export async function show(place: HTMLElement): Promise<void> {
   place.replaceChildren(
     make("h1", {}, "Jobs"),
     make("p", { class: "muted" }, "Jobs continue when you close the page or stop the server."),
+    noticeButton(),
     jobList(null, results, "No jobs yet. Studies, campaigns, rides and designs start them."),
   );
 }

@@ -6,9 +6,11 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { savable } from "../curves";
 import { discard, draftsOf, type Lying, moment } from "../drafts";
+import { files } from "../files";
 import { field, once, problem, snippets } from "../parts";
 import { inWords } from "../quantities";
-import { address, goTo, OPENS } from "../shell";
+import { address, goTo } from "../shell";
+import { gallery, kindOf } from "../shipped";
 import { table } from "../table";
 
 interface Kept {
@@ -45,42 +47,10 @@ export async function show(place: HTMLElement): Promise<void> {
     api.get<Begun[]>("/api/jobs"),
   ]);
   document.getElementById("project")!.textContent = name;
-  const rows = entries.map((entry) => {
-    const opens = OPENS[entry.kind] ?? [],
-      [first] = opens;
-    const page = entry.kind === "page" && entry.path.endsWith(".html") ? entry.address : null;
-    return make(
-      "tr",
-      {},
-      make(
-        "th",
-        { scope: "row" },
-        first
-          ? make("a", { href: address(first[0], { [first[1]]: entry.path }) }, entry.path)
-          : page
-            ? make("a", { href: page, target: "_blank" }, entry.path)
-            : entry.path,
-      ),
-      make("td", {}, entry.kind === "swept" ? how(entry) : tr(entry.kind)),
-      make("td", { class: "right" }, `${written(entry.size / 1000, 3)} kB`),
-      make("td", {}, moment(1000 * entry.modified)),
-      make(
-        "td",
-        { class: "links" },
-        ...opens
-          .slice(1)
-          .filter(([to]) => to !== "kinematics" || entry.has_hardpoints)
-          .flatMap(([to, key, words]) => [
-            make("a", { href: address(to, { [key]: entry.path }) }, tr(words)),
-            " ",
-          ]),
-      ),
-    );
-  });
   const choice = make(
     "select",
     {},
-    ...library.map((one) => make("option", { value: one.name }, one.name)),
+    ...library.map((one) => make("option", { value: one.name }, `${one.name} (${kindOf(one)})`)),
   );
   const target = make("input", {
     type: "text",
@@ -112,12 +82,7 @@ export async function show(place: HTMLElement): Promise<void> {
     unsaved(draftsOf(folder)),
     next(entries, kept, jobs),
     entries.length
-      ? table(
-          "files",
-          ["file", "type", "size", "modified", "actions"],
-          make("tbody", {}, ...rows),
-          [2],
-        )
+      ? files(folder, entries)
       : make(
           "p",
           { class: "empty" },
@@ -128,15 +93,26 @@ export async function show(place: HTMLElement): Promise<void> {
     make("h2", {}, tr("Start from an example")),
     form,
     status,
+    gallery(library, (one) => [
+      make(
+        "button",
+        {
+          type: "button",
+          "aria-label": `${tr("choose")}: ${one.name}`,
+          click: () => {
+            choice.value = one.name;
+            choice.dispatchEvent(new Event("change"));
+            target.focus();
+            target.select();
+          },
+        },
+        tr("choose"),
+      ),
+      make("a", { href: address("trial", { rig: one.name }) }, tr("drive")),
+    ]),
     ...(kept.length ? [make("h2", {}, tr("Saved runs")), history(kept)] : []),
   );
 }
-
-/** State of a sweep; an unfinished one can be resumed. */
-const how = ({ finished, count }: api.Entry): string =>
-  count === null
-    ? tr("sweep's results")
-    : `${tr("sweep's results")}, ${finished === count ? tr("finished") : tr("# finished, can be resumed", `${written((100 * (finished ?? 0)) / (count || 1), 3)} %`)}`;
 
 /** Unsaved changes of other pages. */
 function unsaved(drafts: Lying[]): HTMLElement {
