@@ -103,7 +103,7 @@ def test_roads_that_cannot_be_written(cli) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("sldemo-half-car", "--tester", "eusama"), "does not stand on a tester"),
+        (("sldemo-half-car", "--tester", "eusama"), "cannot be placed on a tester"),
         (("kart-quarter-car", "--tester", "eusema"), "eusama"),
         (("kart-quarter-car", "--axle", "rear"), "--axle with --tester"),
         (("audi-a6-full-car", "--tester", "eusama", "--axle", "middle"), "front, rear"),

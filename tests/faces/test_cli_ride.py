@@ -269,7 +269,7 @@ def test_a_measured_record_gives_metrics_and_what_is_doubtful_of_it(cli, tmp_pat
     assert 0.1 < found["metrics"]["weighted_rms"]["sprung.az"] < 1.0
     assert [one["message"] for one in found["findings"] if "exchanged" in one["message"]]
     text = cli(*record).out
-    assert "sprung.az: it is shaken" in text
+    assert "sprung.az: its r.m.s. value is" in text
     assert "comfortable" in text
     refused = cli("ride-metrics", "lap.csv", "--columns", "sprung.az=Acc")
     assert refused.exit_code == 2

@@ -128,7 +128,7 @@ def table_file(folder: Path, apart: float, count: int) -> None:
     [
         (FULL, ("--duration", "0.01 s"), "trial: road", "before the obstacle begins"),
         (FULL, ("--duration", "0.1 s"), "trial: duration", "before the rear axle, 2.91 m behind"),
-        (FULL, ("--output-step", "5 ms"), "trial: road", "its peaks are not seen"),
+        (FULL, ("--output-step", "5 ms"), "trial: road", "its peaks are missed"),
         (
             FULL,
             ("--pitch-moment", "100 N*m@9 s"),
@@ -176,7 +176,7 @@ def test_roads_that_end_or_are_coarse_are_told(cli, tmp_path: Path) -> None:
     )
     table_file(tmp_path, 1.0, 30)
     (finding,) = cli(*words).json["findings"]
-    assert "1 m apart, show nothing above 5 Hz at 10 m/s" in finding["message"]
+    assert "1 m apart, contain nothing above 5 Hz at 10 m/s" in finding["message"]
     table_file(tmp_path, 0.05, 500)
     assert cli(*words).json["findings"] == []
 

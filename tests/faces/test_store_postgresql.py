@@ -241,15 +241,15 @@ def test_a_reader_needs_no_right_to_write(server: Server, opened, database) -> N
 
 def test_another_database_is_left_alone(server: Server, opened, database) -> None:
     name = database.partition("@/")[2].partition("?")[0]
-    with pytest.raises(RecordingError, match="another kind; found 'no table'"):
+    with pytest.raises(RecordingError, match="a different kind of database; found 'no table'"):
         opened(database, read_only=True)
     server.sql("CREATE TABLE records (number integer)", name)
-    with pytest.raises(RecordingError, match="another kind; found 'records'"):
+    with pytest.raises(RecordingError, match="a different kind of database; found 'records'"):
         opened(database)
     server.sql("DROP TABLE records", name)
     opened(database)
     server.sql("UPDATE about SET value = 'jounce.store/0'", name)
-    with pytest.raises(RecordingError, match=r"another version; found 'jounce\.store/0'"):
+    with pytest.raises(RecordingError, match=r"a different version; found 'jounce\.store/0'"):
         opened(database)
 
 
@@ -333,7 +333,7 @@ def test_the_whole_lane(cli, database, records, tmp_path: Path) -> None:
         (("host=", "host=/nowhere"), "No such file or directory"),
         ((WRITTEN, "wr0ng-one"), "password authentication failed"),
         (("@/lane", "@/nolane"), "does not exist"),
-        (("postgresql+psycopg", "postgresql+nodriver"), "no database of a kind that is known"),
+        (("postgresql+psycopg", "postgresql+nodriver"), "unknown kind of database"),
         (("@/", "@host:port/"), "the address cannot be read"),
         (("%3A", ":@"), ""),
     ],

@@ -38,7 +38,7 @@ _SENTENCES = {
         "({range}), {verdict}.{limits}",
     ),
     "counts": Sentence(
-        "what decides has no verified limits; that the wheel fails by {methods} counts all the same.",
+        "the deciding methods have no verified limits; a failure by {methods} still counts.",
         "Was entscheidet, hat keine belegten Grenzwerte; dass das Rad nach {methods} nicht besteht, zählt trotzdem.",
     ),
     "over_range": Sentence(
@@ -72,7 +72,7 @@ _SENTENCES = {
         "{quantity} ist nicht bekannt: keine Bewertung nach {method}.",
     ),
     "outside": Sentence(
-        "{quantity} {value} lies in no band: no grade by {method}.{limits}",
+        "{quantity} {value} is in no band: no grade by {method}.{limits}",
         "{quantity} {value} liegt in keiner Klasse: keine Bewertung nach {method}.{limits}",
     ),
     "unlimited": Sentence(
@@ -108,7 +108,7 @@ _SENTENCES = {
         "Die Bodenhaftung sinkt mit der Reifensteifigkeit (hier {rigidity} N/mm), andere Werte weniger.",
     ),
     "limits_differ": Sentence(
-        "the limits of EGEA and THETA do not stand for the same damping: on a car of usual size a phase angle of 35° "
+        "the limits of EGEA and THETA do not correspond to the same damping: on a car of usual size a phase angle of 35° "
         "is a damping ratio of about 0.10, and a fast sweep or a soft tyre shifts it.",
         "Die Grenzwerte von EGEA und THETA meinen nicht dieselbe Dämpfung: Bei einem üblichen Wagen entsprechen 35° "
         "einem Dämpfungsgrad von etwa 0,10; ein schneller Auslauf oder ein weicher Reifen verschieben das.",

@@ -285,7 +285,7 @@ def _column_error(error: RecordingError) -> RecordingError:
     """Add a hint about where to define a tester's column names."""
     if not error.what.startswith("no column"):
         return error
-    hint = 'Tell its name in the tester file, [columns]: time = "Zeit [s]", "left.plate.z" = "s_left [mm]", ...'
+    hint = 'Define its name in the tester file, [columns]: time = "Zeit [s]", "left.plate.z" = "s_left [mm]", ...'
     return RecordingError(
         error.what, where=error.where, found=error.found, allowed=error.allowed, hint=hint
     )

@@ -438,7 +438,7 @@ class MapDamper(DamperLaw):
                 raise error_at(
                     ("force", i),
                     Phrase(
-                        "this row has {count} forces and velocity {second_count} points; give as many of both",
+                        "this row has {count} forces and velocity {second_count} points; give equal numbers of both",
                         count=len(row),
                         second_count=len(self.velocity),
                     ),

@@ -17,7 +17,7 @@ def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> No
     if len(x) != len(force):
         raise ValueError(
             Phrase(
-                "{name} has {count} points and force has {second_count}; give as many of both",
+                "{name} has {count} points and force has {second_count}; give equal numbers of both",
                 name=name,
                 count=len(x),
                 second_count=len(force),

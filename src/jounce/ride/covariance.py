@@ -72,7 +72,7 @@ def check_stable(values: Complex) -> None:
         unstable = values[grows][0]
         worst = unstable[np.argmax(unstable.real)]
         raise SimulationError(
-            "the linear model about rest is not asymptotically stable, so nothing is stationary",
+            "the linear model about rest is not asymptotically stable, so there is no stationary response",
             where="stationary response",
             found=f"eigenvalue {worst.real:.4g} {worst.imag:+.4g}j 1/s",
             allowed="negative real parts",
@@ -88,7 +88,7 @@ def relative(model: Matrices, values: Complex) -> Relative:
     check_stable(values)
     if np.any(model.B[..., 2:, :, :]) or np.any(model.D[..., 2:, :, :]):
         raise SimulationError(
-            "the model feels the acceleration of the road, as a wheel without a tyre does",
+            "the model depends on the acceleration of the road, like a wheel without a tyre",
             where="stationary response",
             hint="Give the rig a tyre.",
         )

@@ -48,7 +48,7 @@ def doubts(accelerations: Mapping[str, Array], rate: float) -> Iterator[Finding]
     --------
     >>> time = np.arange(2000) / 200.0
     >>> [finding.message for finding in doubts({"sprung.az": 40.0 * np.sin(8.0 * time)}, 200.0)][0]
-    'above 0.7 Hz it means a motion of 449 mm r.m.s., and no suspension lets a body move so far; is it m/s^2 called g?'
+    'above 0.7 Hz it implies a motion of 449 mm r.m.s., more than any suspension allows; are m/s^2 given as g?'
     """
     for name, values in accelerations.items():
         parts = name.split(".")

@@ -191,7 +191,9 @@ class RideMetrics(Shown):
         if place is None and len(values) == 1:
             return next(iter(values.values()))
         raise DescriptionError(
-            "say which place" if place is None else Phrase("no value at {place!r}", place=place),
+            "the place is ambiguous"
+            if place is None
+            else Phrase("no value at {place!r}", place=place),
             where=metric,
             allowed=", ".join(map(repr, values)),
             hint=nearest(place or "", values),

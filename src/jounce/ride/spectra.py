@@ -230,7 +230,7 @@ def transfer_function(
     averages = independent_segments(x.size, count, window)
     if averages <= 1.0:
         raise RecordingError(
-            "a transfer function needs two pieces or more",
+            "a transfer function needs at least two segments",
             where="segment",
             found=f"{count / rate:g} s",
             allowed=Phrase("at most half the record of {size:g} s", size=x.size / rate),
@@ -323,7 +323,7 @@ def third_octaves(spectrum: Spectrum) -> Bands:
         raise RecordingError(
             "the spectrum resolves no third-octave band",
             found=f"{spectrum.resolution:g} Hz up to {spectrum.frequency[-1]:g} Hz",
-            hint="Take longer segments.",
+            hint="Use longer segments.",
         )
     centre = 10.0 ** (np.arange(lowest, highest + 1) / 10.0)
     low, high = centre / _HALF_BAND, centre * _HALF_BAND
@@ -335,7 +335,7 @@ def _check_signal(values: ArrayLike, sample_rate: float, what: str) -> Array:
     signal = as_samples(values, where=what)
     if signal.ndim != 1 or signal.size < _FEWEST_SAMPLES or not 0.0 < sample_rate < math.inf:
         raise RecordingError(
-            "too little for a spectrum",
+            "insufficient data for a spectrum",
             where=what,
             found=f"shape {signal.shape} at {sample_rate:g} Hz",
             allowed=Phrase(

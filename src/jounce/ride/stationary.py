@@ -224,7 +224,7 @@ def stationary(
     gains = _gains(weighting or {}, names)
     if gains and road_surface.band is None:
         raise DescriptionError(
-            "this needs a band of frequencies",
+            "this requires a frequency band",
             where="weighting",
             hint='Give band="iso" (0.011 to 2.83 1/m).',
         )

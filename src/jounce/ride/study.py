@@ -185,7 +185,7 @@ def _check_fine_enough(road: Road, speed: float) -> None:
                 speed=speed / (2.0 * FASTEST),
                 fastest=FASTEST,
             ),
-            hint="Take a finer profile, or drive faster.",
+            hint="Use a finer profile, or drive faster.",
         )
 
 

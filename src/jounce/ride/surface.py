@@ -193,5 +193,5 @@ def _check(surface: Surface) -> None:
     ):
         if not is_fit:
             raise DescriptionError(
-                "this needs a band of frequencies", where=name, found=value, hint=hint
+                "this requires a frequency band", where=name, found=value, hint=hint
             )

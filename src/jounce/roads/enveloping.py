@@ -96,7 +96,7 @@ class Enveloped(RoadOf):
         for name in ("start", "recurrence"):
             if name in self.model_fields_set and getattr(self, name) != getattr(self.of, name):
                 raise ValueError(
-                    Phrase("{name} belongs to the road inside; write it in the table of", name=name)
+                    Phrase("{name} belongs to the inner road; write it in the table of", name=name)
                 )
             object.__setattr__(self, name, getattr(self.of, name))
         needed = _NEEDED[self.method]

@@ -214,7 +214,7 @@ class _Reader:
                     circle=circle,
                 ),
                 where=self._place((*self.above, name, "of")),
-                hint="Break the circle.",
+                hint="Remove the circular reference.",
             )
         if name not in self.built:
             self.built[name] = self.build(self.tables[name], (*self.above, name), (*asked_by, name))
@@ -263,7 +263,7 @@ class _Reader:
         if of not in self.tables:
             if not self.tables:
                 raise DescriptionError(
-                    "a road file has no other roads to name",
+                    "a road file cannot refer to other roads",
                     where=self._place(path),
                     found=of,
                     allowed='of = {kind = "...", ...}',

@@ -111,7 +111,7 @@ class Crg(SampledRoad):
         """Read the file, so that its errors are reported immediately."""
         if self.is_endless() and self.recurrence is not None:
             raise ValueError(
-                "the options of the file say that the course repeats; leave out recurrence"
+                "the course repeats according to the file's options; leave out recurrence"
             )
 
     def profile(self) -> Profile:
@@ -188,7 +188,7 @@ def check_source(
     if len(x) != len(y):
         raise ValueError(
             Phrase(
-                "{x_name} has {count} values and {y_name} has {second_count}; give as many of both",
+                "{x_name} has {count} values and {y_name} has {second_count}; give equal numbers of both",
                 x_name=x_name,
                 count=len(x),
                 y_name=y_name,
@@ -208,7 +208,7 @@ def check_source(
         if b <= a:
             raise ValueError(
                 Phrase(
-                    "{x_name}[{i}] = {b:g} does not lie above {x_name}[{second_i}] = {a:g}; sort the points",
+                    "{x_name}[{i}] = {b:g} is not above {x_name}[{second_i}] = {a:g}; sort the points",
                     x_name=x_name,
                     i=i + 1,
                     b=b,
@@ -502,7 +502,7 @@ def _height(road: Any, offset: float, file: str) -> Array:
     is_said = "border_mode_v" in road.opts and mode != 0
     if not is_said or (mode in (3, 4) and np.any(road.banking)):
         raise RecordingError(
-            "the lateral offset lies outside the road",
+            "the lateral offset is outside the road",
             where=file,
             found=f"{offset:g} m",
             allowed=Phrase("{v:g} to {second_v:g} m", v=v[0], second_v=v[-1]),
@@ -575,7 +575,7 @@ def _steps(road: Any, offset: float, file: str) -> Array:
     if (along <= 0.0).any():
         u = float(road.u[int(np.argmin(along))])
         raise RecordingError(
-            "the lateral offset lies beyond the centre of a bend",
+            "the lateral offset is beyond the centre of a bend",
             where=file,
             found=f"{offset:g} m at u = {u:g} m",
             hint="Choose an offset nearer to the reference line.",
@@ -656,7 +656,7 @@ def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
         return None
     if int(road.get_option("border_mode_u")) not in (1, 2):
         raise RecordingError(
-            "the track is closed, but BORDER_MODE_U says that nothing lies in its gap",
+            "the track is closed, but BORDER_MODE_U says that there is no road in its gap",
             where=file,
             allowed="BORDER_MODE_U = 1 or 2",
         )
@@ -668,7 +668,7 @@ def _link(road: Any, offset: float, file: str) -> tuple[float, float] | None:
     )
     if min(after, before) < -_EDGE:
         raise RecordingError(
-            "the lateral offset lies beyond the corner that closes the track",
+            "the lateral offset is beyond the corner that closes the track",
             where=file,
             found=f"{offset:g} m",
             hint="Choose an offset nearer to the reference line.",

@@ -425,7 +425,7 @@ def _edge(radius: float, upper: float, *, down: bool) -> Piece:
 
 def _check_edge(radius: float, height: float, name: str) -> None:
     if radius > abs(height) * (1.0 + 1e-9):
-        text = "an edge of radius {radius:g} m is rounder than the {name} {height:g} m"
+        text = "an edge radius of {radius:g} m exceeds the {name} {height:g} m"
         most = Phrase("an edge_radius up to {most:g} m", most=abs(height))
         raise error_at(
             (), Phrase(text, radius=radius, name=Phrase(name), height=abs(height)), allowed=most

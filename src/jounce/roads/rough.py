@@ -255,7 +255,7 @@ class Iso8608(SampledRoad):
         if high <= low:
             raise ValueError(
                 Phrase(
-                    "band: {high:g} 1/m does not lie above {low:g} 1/m; give [lowest, highest]",
+                    "band: {high:g} 1/m is not above {low:g} 1/m; give [lowest, highest]",
                     high=high,
                     low=low,
                 )

@@ -198,7 +198,7 @@ class Excitation(RecordingFormat):
         elif self._keys():
             raise ValueError(
                 Phrase(
-                    "{keys}: says how a file is read, and none is given; give file",
+                    "{keys}: only applies to a file, and none is given; give file",
                     keys=", ".join(self._keys()),
                 )
             )
@@ -510,7 +510,7 @@ class Trial(Description):
         if end <= 0.0:
             raise ValueError(
                 Phrase(
-                    "the excitation's last time is {end:g} s; it must lie after 0, where the trial starts",
+                    "the excitation's last time is {end:g} s; it must be after 0, where the trial starts",
                     end=end,
                 )
             )

@@ -332,7 +332,7 @@ def _check_lengths(
             where=place,
             found=f"{spacing:g} m",
             allowed=Phrase("at most {coarsest} m", coarsest=COARSEST),
-            hint="Is the distance in the unit that its header says?",
+            hint="Is the distance in the unit given in its header?",
         )
     if not run_up > 0.0:
         raise RecordingError("the run-up is not positive", where=place, found=f"{run_up:g} m")
@@ -355,7 +355,7 @@ def _check_lengths(
                 second_run_up=run_up,
                 base=base,
             ),
-            hint="Is the distance in the unit that its header says?",
+            hint="Is the distance in the unit given in its header?",
         )
 
 
@@ -366,11 +366,11 @@ def _findings(whole: float, spacing: float, place: str) -> tuple[Finding, ...]:
             where=place,
             found=f"IRI {whole:.4g} m/km",
             allowed=Phrase(
-                "at most {no_road:g} m/km; the roughest tracks have some {roughest:g}",
+                "at most {no_road:g} m/km; the roughest tracks have about {roughest:g}",
                 no_road=NO_ROAD,
                 roughest=ROUGHEST,
             ),
-            hint="Are heights and distances in the units that their headers say?",
+            hint="Are heights and distances in the units given in their headers?",
         )
     findings = []
     if whole > ROUGHEST:

@@ -158,11 +158,11 @@ def check_rig(rig: Rig) -> None:
     if isinstance(rig, (QuarterCar, FrontViewAxle, Corner)):
         return
     raise SimulationError(
-        "this does not stand on a tester",
+        "this rig cannot be placed on a tester",
         where="rig",
         found=getattr(rig, "model", type(rig).__name__),
         allowed="a quarter car, a 3-D corner, or one axle of a full-car or half-car-4dof",
-        hint="Say which axle. A half car without unsprung masses has no tyres.",
+        hint="Name the axle. A half car without unsprung masses has no tyres.",
     )
 
 

@@ -126,7 +126,7 @@ def test_nan_is_no_value() -> None:
 def test_a_value_outside_all_bands_is_not_graded() -> None:
     graded = grade(axle(wheel(adhesion=1.02), methods=("eusama",)))
     assert graded.wheels[0].verdict == "not graded"
-    assert "lies in no band" in graded.wheels[0].reasons[0]
+    assert "is in no band" in graded.wheels[0].reasons[0]
 
 
 def test_methods_without_limits_are_said() -> None:
@@ -386,7 +386,7 @@ def test_lift_off_and_unequal_limits_are_explained() -> None:
     )
     said = " ".join(graded.wheels[0].reasons)
     assert "the tyre leaves the plate" in said
-    assert "limits of EGEA and THETA do not stand for the same damping" in said
+    assert "limits of EGEA and THETA do not correspond to the same damping" in said
 
 
 def test_reasons_are_said_in_german_too() -> None:

@@ -255,7 +255,7 @@ def test_another_database_is_never_written_to(tmp_path: Path) -> None:
         connection.execute("CREATE TABLE songs (name)")
     connection.close()
     content = file.read_bytes()
-    with pytest.raises(RecordingError, match=r"another kind; found 'songs'"):
+    with pytest.raises(RecordingError, match=r"a different kind of database; found 'songs'"):
         Store(file)
     assert file.read_bytes() == content
     assert [path.name for path in tmp_path.iterdir()] == ["music.sqlite"]
@@ -265,7 +265,7 @@ def test_a_store_of_another_version_is_refused(sound: Path) -> None:
     with closing(sqlite3.connect(sound)) as connection, connection:
         connection.execute("UPDATE about SET value = 'jounce.store/9'")
     connection.close()
-    with pytest.raises(RecordingError, match=r"another version; found 'jounce.store/9'"):
+    with pytest.raises(RecordingError, match=r"a different version; found 'jounce.store/9'"):
         Store(sound)
 
 

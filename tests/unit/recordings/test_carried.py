@@ -100,7 +100,7 @@ def test_what_carries_its_own_gives_what_arrays_give(
         (lambda: jn.fit_damper(X), r"the force is missing"),
         (lambda: jn.fit_damper(RUN[["tyre.force"]]), r"has not a displacement and a force"),
         (lambda: jn.power_spectrum(X), r"signal: the time is missing"),
-        (lambda: jn.power_spectrum(X, np.inf), r"too little for a spectrum"),
+        (lambda: jn.power_spectrum(X, np.inf), r"insufficient data for a spectrum"),
         (lambda: jn.transfer_function(RUN["road.z"], RUN["sprung.az"][1:]), r"different times"),
         (lambda: fitted(TABLE.reset_index(drop=True)), r"one: measured: no column 'time'"),
         (lambda: fitted(TABLE.rename(columns={"tyre.force [N]": "tyre.force"})), r"no unit.*tyre.force \[N\]"),

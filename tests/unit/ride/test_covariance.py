@@ -162,7 +162,7 @@ def test_a_model_that_feels_the_acceleration_of_the_road_is_refused(part):
     assert relative(plain, values).E.ravel() == pytest.approx([1.0, 0.0])
     felt = getattr(plain, part).copy()
     felt[2, 1] = 0.1
-    with pytest.raises(SimulationError, match="feels the acceleration of the road"):
+    with pytest.raises(SimulationError, match="depends on the acceleration of the road"):
         relative(replace(plain, **{part: felt}), values)
 
 

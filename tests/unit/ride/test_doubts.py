@@ -37,7 +37,7 @@ def test_a_ride_is_not_doubted_and_its_wrong_records_are(
     assert "exchanged" in said(wheel, body)
     step = 1.7 * body.std()
     assert "coarse" in said(np.round(body / step) * step)
-    assert "m/s^2 called g" in said(40.0 / body.std() * body)
+    assert "m/s^2 given as g" in said(40.0 / body.std() * body)
     assert list(doubts({"seat.az": rides.filtered(body, 5.0, 2)}, rides.RATE)) == []
     short = round(9.0 * rides.RATE)
     assert "pass" not in "".join(

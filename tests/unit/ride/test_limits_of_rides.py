@@ -126,7 +126,9 @@ def test_segments_that_do_not_fit() -> None:
             with pytest.raises(RecordingError, match="the segment does not fit the record"):
                 power_spectrum(NOISE, 1000.0, segment=samples / 1000.0)
     assert power_spectrum(NOISE[:8], 1000.0).frequency.size == 5
-    with pytest.raises(RecordingError, match=r"too little for a spectrum.*at least 8 samples"):
+    with pytest.raises(
+        RecordingError, match=r"insufficient data for a spectrum.*at least 8 samples"
+    ):
         power_spectrum(NOISE[:7], 1000.0)
     with pytest.raises(RecordingError, match="sample 8 is not a finite number"):
         power_spectrum(np.where(np.arange(4003) == 7, np.nan, NOISE), 1000.0)
@@ -137,7 +139,8 @@ def test_a_transfer_function_needs_two_pieces() -> None:
     assert found.averages == 2.0
     np.testing.assert_allclose(found.response[1:], 3.0, rtol=1e-9)
     with pytest.raises(
-        RecordingError, match=r"needs two pieces or more; found '2\.002 s'; allowed: at most half"
+        RecordingError,
+        match=r"needs at least two segments; found '2\.002 s'; allowed: at most half",
     ):
         transfer_function(NOISE, NOISE, 1000.0, segment=2.002, window="boxcar")
 

@@ -370,7 +370,7 @@ def test_negative_travel_is_a_reason() -> None:
 def test_places_must_be_clear() -> None:
     found = ride_metrics(corner_run())
     with pytest.raises(
-        jn.DescriptionError, match="say which place; allowed: 'front_left', 'rear_right'"
+        jn.DescriptionError, match="the place is ambiguous; allowed: 'front_left', 'rear_right'"
     ):
         found.value("adhesion")
     with pytest.raises(jn.DescriptionError, match="no value at 'front'"):

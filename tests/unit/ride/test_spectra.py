@@ -124,8 +124,8 @@ def test_a_channel_that_is_missing() -> None:
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: power_spectrum(NOISE[:4], RATE), "too little for a spectrum"),
-        (lambda: power_spectrum(NOISE, 0.0), "too little for a spectrum"),
+        (lambda: power_spectrum(NOISE[:4], RATE), "insufficient data for a spectrum"),
+        (lambda: power_spectrum(NOISE, 0.0), "insufficient data for a spectrum"),
         (
             lambda: power_spectrum(
                 recording(np.arange(9.0), {"sprung.az": (NOISE[:9], "m/s^2", "")}), RATE
@@ -145,7 +145,7 @@ def test_a_channel_that_is_missing() -> None:
         (lambda: transfer_function(NOISE, NOISE[1:], RATE), "different lengths"),
         (
             lambda: transfer_function(NOISE, NOISE, RATE, segment="200 s"),
-            "needs two pieces or more",
+            "needs at least two segments",
         ),
         (lambda: third_octaves(power_spectrum(NOISE[:16], RATE)), "resolves no third-octave band"),
     ],

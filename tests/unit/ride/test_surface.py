@@ -87,7 +87,7 @@ def test_degrees_of_roughness(text: str | float, value: float) -> None:
         ({"road": flat, "cut_off": 0.01}, "a cut-off belongs to a road of waviness 2"),
         (
             {"waviness": 1.9},
-            'waviness: this needs a band of frequencies; found 1.9.*Give band="iso"',
+            'waviness: this requires a frequency band; found 1.9.*Give band="iso"',
         ),
         ({"contact_length": 0.1}, "contact_length: this needs a band"),
         ({"sides": "isotropic"}, "sides: this needs a band"),

@@ -129,7 +129,9 @@ def test_options_say_what_lies_beyond_the_ends(tmp_path) -> None:
         np.testing.assert_allclose(
             road.height_at([3.3, 21.0]), inner.height_at([3.3, 21.0]), rtol=0, atol=1e-12
         )
-    with pytest.raises(DescriptionError, match="the course repeats; leave out recurrence"):
+    with pytest.raises(
+        DescriptionError, match="the course repeats according to the file's options"
+    ):
         Crg(
             file=with_block(tmp_path, "handmade_straight", "ROAD_CRG_OPTS", border_mode_u=3),
             recurrence=30.0,

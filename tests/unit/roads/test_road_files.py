@@ -119,7 +119,7 @@ def test_every_shipped_course_loads_and_has_source_and_licence() -> None:
         ),
         (
             'kind = "train"\nof = "A"\ncount = 2\npitch = 1\n',
-            r"road\.toml, line 2: of: a road file has no other roads",
+            r"road\.toml, line 2: of: a road file cannot refer to other roads",
         ),
         (
             'kind = "train"\nof = 3\ncount = 2\npitch = 1\n',

@@ -221,7 +221,7 @@ def test_roads_by_the_name_of_their_class() -> None:
             {"class": "C", "length": 100, "run_in": 51},
             r"two fades of 51 m do not fit into the length 100 m",
         ),
-        ({"class": "C", "length": 100, "band": [2, 1]}, "band: 1 1/m does not lie above 2 1/m"),
+        ({"class": "C", "length": 100, "band": [2, 1]}, "band: 1 1/m is not above 2 1/m"),
         ({"class": "C", "length": 100, "seed": -1}, "seed: "),
         ({"class": "C", "length": 100, "seed": 1.5}, "seed: "),
         ({"class": "C", "length": 100, "side": "middle"}, "side: "),

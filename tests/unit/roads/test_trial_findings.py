@@ -53,7 +53,7 @@ def test_points_too_far_apart_to_show_wheel_hop() -> None:
     assert said(Trial(road=FINE, speed=1.001 * slowest, duration=1.0)) == []
     ((_, text),) = said(Trial(road=FINE, speed=2.0, duration=1.0))
     assert text.startswith(
-        "its points, 0.1 m apart, show nothing above 10 Hz at 2 m/s; wheel hop lies at about 15 Hz"
+        "its points, 0.1 m apart, contain nothing above 10 Hz at 2 m/s; wheel hop is at about 15 Hz"
     )
 
 
@@ -62,7 +62,7 @@ def test_obstacles_that_pass_between_two_samples() -> None:
     assert said(trial) == said(trial, output_step=0.0075) == []
     ((_, text),) = said(trial, output_step=0.0076)
     assert text.startswith(
-        "the obstacle passes in 30 ms and the result has a sample every 7.6 ms; its peaks are not"
+        "the obstacle passes in 30 ms and the result has a sample every 7.6 ms; its peaks are missed"
     )
     assert said(Trial(road=Step(height=0.01), speed=2.0, duration=3.0), output_step=1.0) == []
     assert said(Trial(road=FINE, speed=3.5, duration=1.0), output_step=1.0) == []
@@ -103,7 +103,7 @@ def test_both_sides_on_one_track_are_told() -> None:
     car = load("audi-a6-full-car")
     assert said(Trial(road=road, right=road.other_track(), speed=20.0, duration=2.0), car) == []
     ((_, text),) = said(Trial(road=road, speed=20.0, duration=2.0), car)
-    assert text.startswith("the left and the right wheels meet the same track")
+    assert text.startswith("the left and the right wheels follow the same track")
     assert said(Trial(road=road, speed=20.0, duration=2.0), load("audi-a6-half-car-4dof")) == []
     assert said(Trial(road=road, speed=20.0, duration=2.0)) == []
 

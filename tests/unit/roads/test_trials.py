@@ -92,7 +92,7 @@ def test_time_zero_is_the_start_of_the_trial() -> None:
         early.segments().evaluate(t)[0], whole.segments().evaluate(t + 0.3)[0], rtol=0, atol=1e-15
     )
     assert early.segments().edges[0] == 0.0
-    with pytest.raises(DescriptionError, match=r"last time is -0\.5 s; it must lie after 0"):
+    with pytest.raises(DescriptionError, match=r"last time is -0\.5 s; it must be after 0"):
         Trial(excitation=Excitation(time=np.array(T) - 1.0, height=Z))
 
 
@@ -112,7 +112,7 @@ def test_heights_that_count_from_the_first_one(tmp_path, interpolation) -> None:
     )
     (said,) = Excitation(file=file).findings()
     assert (said.severity, said.value) == ("warning", pytest.approx(raised[0]))
-    assert 'datum = "rest" counts them from their start' in said.message
+    assert 'datum = "rest" measures them from their start' in said.message
     assert Excitation(file=file, datum="rest").findings() == []
     assert Excitation(file=file, datum="rest").profile().before == 0.0
 
@@ -171,9 +171,9 @@ def test_an_excitation_from_a_file(tmp_path) -> None:
         ({"excitation": {}}, "excitation: no points; give time and height, or file"),
         (
             {"excitation": {"time": [0, 1, 1, 2], "height": [0, 0, 0, 0]}},
-            r"time\[2\] = 1 does not lie above time\[1\] = 1",
+            r"time\[2\] = 1 is not above time\[1\] = 1",
         ),
-        ({"excitation": {"time": [0] * 4, "height": [0] * 4}}, r"time\[1\] = 0 does not lie above"),
+        ({"excitation": {"time": [0] * 4, "height": [0] * 4}}, r"time\[1\] = 0 is not above"),
         (
             {"excitation": {"time": [0, 1, 2, 3], "height": [0, 0, float("nan"), 0]}},
             r"height\[2\]: not a finite number",
@@ -216,7 +216,7 @@ def test_refuses_a_missing_excitation(tmp_path) -> None:
         with pytest.raises(RecordingError, match="no such file"):
             make()
     with pytest.raises(
-        DescriptionError, match="sample_time: says how a file is read, and none is given; give file"
+        DescriptionError, match="sample_time: only applies to a file, and none is given; give file"
     ):
         Excitation(time=T, height=Z, sample_time="1 ms")
 

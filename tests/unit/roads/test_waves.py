@@ -145,10 +145,10 @@ def test_a_pothole_has_walls_and_a_bottom() -> None:
     [
         (
             lambda: Kerb(height=0.02, edge_radius=0.03),
-            r"edge of radius 0.03 m is rounder than the height 0.02 m",
+            r"edge radius of 0.03 m exceeds the height 0.02 m",
         ),
         (lambda: Kerb(height=0.02, edge_radius=-0.03), "edge_radius: out of range"),
-        (lambda: Pothole(depth=0.02, length=1, edge_radius=0.03), r"rounder than the depth 0.02 m"),
+        (lambda: Pothole(depth=0.02, length=1, edge_radius=0.03), r"exceeds the depth 0.02 m"),
         (
             lambda: Pothole(depth=0.2, length=0.1, edge_radius=0.06),
             r"two edges of radius 0.06 m do not fit",

@@ -227,7 +227,7 @@ def test_limits_of_what_a_road_can_be() -> None:
         ]
     assert iri(X, Z * 297.0 / usual).iri_m_per_km == pytest.approx(297.0)
     with pytest.raises(
-        jn.RecordingError, match="allowed: at most 300 m/km; the roughest tracks have some 30"
+        jn.RecordingError, match="allowed: at most 300 m/km; the roughest tracks have about 30"
     ):
         iri(X, Z * 303.0 / usual)
     assert iri(changed(X, 7, X[7] + 0.99e-2 * 0.25), Z).iri_m_per_km == pytest.approx(usual)

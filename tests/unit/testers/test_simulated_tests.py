@@ -129,8 +129,8 @@ def test_files_have_a_header_that_says_the_load(tmp_path):
 @pytest.mark.parametrize(
     ("call", "says"),
     [
-        (lambda: simulate_test(load("audi-a6-half-car"), EGEA), "does not stand on a tester"),
-        (lambda: simulate_test(load("formula-student-car"), EGEA), "does not stand on a tester"),
+        (lambda: simulate_test(load("audi-a6-half-car"), EGEA), "cannot be placed on a tester"),
+        (lambda: simulate_test(load("formula-student-car"), EGEA), "cannot be placed on a tester"),
         (lambda: simulate_test(CAR, EGEA, wheel="middle"), "left, right"),
         (lambda: simulate_test(CAR, EGEA, other="running"), "excited, still"),
         (lambda: simulate_test(CAR, EGEA, noise=-0.1), "noise"),

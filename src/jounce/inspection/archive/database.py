@@ -134,7 +134,7 @@ _PASSWORD, _PASSWORD_ASKED = re.compile(r"(://[^/:@]*:).*@"), re.compile(r"([?&]
 _PATIENCE = 10  # s to wait for a server
 _CLAIMED = 5.0  # s after which a claim on a store's name is considered stale
 _MAKING = 0x6A6F756E6365  # ID of the lock for creating tables: "jounce"
-_LEFT_ALONE = "It was left as it is; use a copy of the store. What can still be read: jounce inspect export --damaged."
+_LEFT_ALONE = "It was left unchanged; use a copy of the store. To save what is readable: jounce inspect export --damaged."
 
 
 class DamagedStoreError(RecordingError):
@@ -230,11 +230,11 @@ def reported_errors(location: str) -> Iterator[None]:
                 where=location,
                 hint=_LEFT_ALONE,
             ) from None
-        hint = "Check the rights and the space."
+        hint = "Check permissions and disk space."
         if "locked" in reason:
             hint = "Another process writes; try again."
         elif file_of(location) is None:
-            hint = "Check the server, its database, the rights and the password."
+            hint = "Check the server, its database, the permissions and the password."
         raise OutputError(
             Phrase("the store cannot be used: {reason}", reason=reason), where=location, hint=hint
         ) from None
@@ -253,7 +253,7 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         waits = {"connect_timeout": _PATIENCE} if can_wait else {}
         engine = create_engine(url, pool_pre_ping=True, connect_args=waits)
     except NoSuchModuleError:
-        what = "no database of a kind that is known"
+        what = "unknown kind of database"
         raise DescriptionError(
             what, where="store", found=hide_password(location), allowed=allowed
         ) from None
@@ -293,7 +293,7 @@ def _make_tables(connection: Connection, location: str) -> None:
     if there and there != NAMES:
         names = ", ".join(sorted(there))
         raise RecordingError(
-            "a database of another kind", where=location, found=names, allowed="a record store"
+            "a different kind of database", where=location, found=names, allowed="a record store"
         )
     create_tables(connection)
 
@@ -422,7 +422,7 @@ def _check_tables(connection: Connection, location: str) -> None:
     if not names >= NAMES or (is_file and names - NAMES):
         tables = ", ".join(sorted(names)[:8]) or "no table"
         raise RecordingError(
-            "a database of another kind", where=location, found=tables, allowed="a record store"
+            "a different kind of database", where=location, found=tables, allowed="a record store"
         )
     for name in SMALL if is_file else ():
         report = str(connection.exec_driver_sql(f"PRAGMA quick_check('{name}')").scalar())
@@ -435,7 +435,7 @@ def _check_tables(connection: Connection, location: str) -> None:
     version = connection.execute(text("SELECT value FROM about WHERE name = 'schema'")).scalar()
     if version != SCHEMA_VERSION:
         raise RecordingError(
-            "a record store of another version",
+            "a record store of a different version",
             where=location,
             found=str(version),
             allowed=SCHEMA_VERSION,

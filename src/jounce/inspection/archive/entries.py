@@ -158,7 +158,7 @@ def unpack(packed: bytes) -> tuple[xr.Dataset, list[Finding]]:
         ) from None
     if head.get("format") != _FORMAT:
         raise RecordingError(
-            "packed signals of another version", found=str(head.get("format")), allowed=_FORMAT
+            "packed signals of a different version", found=str(head.get("format")), allowed=_FORMAT
         )
     arrays: dict[str, tuple[Array, str, str]] = {}
     for channel in head["channels"]:

@@ -357,7 +357,7 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
     }
     if entry.tester not in shipped:
         raise RecordingError(
-            "no tester is given, and the record names none that is known",
+            "no tester is given, and the record does not name a known one",
             where=entry.name,
             found=entry.tester,
             allowed=", ".join(library()),

@@ -143,7 +143,7 @@ def _results(
             yield results
         except BrokenProcessPool:
             raise ResourceError(
-                "a process was ended from outside", hint="What was done is stored; start again."
+                "a process was terminated externally", hint="Completed work is stored; start again."
             ) from None
         finally:
             pool.shutdown(cancel_futures=True)

@@ -184,7 +184,7 @@ class Store:
             raise DamagedStoreError(
                 Phrase("record {number} is damaged", number=number),
                 where=self.location,
-                hint="Take it from a copy.",
+                hint="Restore it from a copy.",
             )
         return content, sidecar
 
@@ -442,7 +442,7 @@ def _record_of_row(row: Any, grading: Grading | None) -> StoredRecord:
     known: dict[str, Any] = {name: getattr(row, name) for name in _SHOWN}
     if _seal(*known.values()) != row.seal:
         raise DamagedStoreError(
-            Phrase("what is known of record {number} is damaged", number=row.number),
+            Phrase("the metadata of record {number} are damaged", number=row.number),
             hint="Use a copy of the store.",
         )
     return StoredRecord(row.number, **known, grading=grading)
