@@ -89,11 +89,11 @@ def test_lengths_for_camber_and_toe(cli) -> None:
         (("--set", "upper_arm_length=25 mm"), "0 mm to 20 mm"),
         (("--set", "upper_arm_length"), "not NAME=VALUE"),
         (("--camber", "9 deg"), "does not reach this"),
-        (("--camber", "9"), "9 rad cannot be meant"),
+        (("--camber", "9"), "9 rad is implausible"),
         (("--camber", "9 mm"), "wrong unit"),
         (
             ("--camber", "1 deg", "--set", "lower_arm_length=3 mm"),
-            "a length to be found is also given",
+            "a length is both given and to be found",
         ),
         (("--out", "new.toml"), "nothing to adjust"),
         (

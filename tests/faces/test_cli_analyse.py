@@ -104,11 +104,11 @@ def test_modes_are_found_from_a_file_and_count_is_asked_for(
         (["modes", "--input", "road.z", "--band", "3..4 Hz"], "the band is too narrow for modes"),
         (
             ["modes", "--input", "road.z", "--count", "0"],
-            "--count: not a number of modes; found 0; allowed: 1 to 6",
+            "--count: invalid number of modes; found 0; allowed: 1 to 6",
         ),
         (
             ["modes", "--input", "road.z", "--count", "7"],
-            "--count: not a number of modes; found 7; allowed: 1 to 6",
+            "--count: invalid number of modes; found 7; allowed: 1 to 6",
         ),
         (
             ["modes", "--input", "road.z", "--set", "sprung.mass=350 kg"],

@@ -162,7 +162,7 @@ def test_new_campaign_can_be_checked(cli, tmp_path: Path) -> None:
     (tmp_path / "mine" / "rig.toml").write_text("mine", encoding="utf-8")
     again = cli("campaign", "new", "mine")
     assert again.exit_code == 2
-    assert "the output exists" in again.err
+    assert "the output already exists" in again.err
     assert (tmp_path / "mine" / "rig.toml").read_text(encoding="utf-8") == "mine"
 
 

@@ -323,7 +323,7 @@ def test_settings_of_a_laboratory(cli, laboratory: Path) -> None:
         (
             'sprung_mass = "16 kg"',
             'rig = "kart-quater-car"',
-            "laboratory.toml: rig: no such file and no shipped rig",
+            "laboratory.toml: rig: no such file, and no rig",
         ),
         ('"trials.csv"', '"table.csv"', "laboratory.toml: trials: no such file; found 'table.csv'"),
         ("trials", "trails", "laboratory.toml, line 5: trails: unknown key"),

@@ -66,13 +66,13 @@ def test_bodies_that_overlap_are_a_finding_and_lengths_need_no_pair(cli) -> None
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--between", ROD], "not two bodies"),
-        (["--between", f"a: {ROD}"], "not two bodies"),
+        (["--between", ROD], "two different bodies are required"),
+        (["--between", f"a: {ROD}"], "two different bodies are required"),
         (["--between", f"a: {ROD}, rim 115 mm"], "not a body"),
         (["--between", f"a: {ROD}, rim 115 mm from 20 mm to -90 mm"], "is not inboard"),
-        (["--between", f"a: {RIM}, {RIM}"], "not a pair of bodies"),
+        (["--between", f"a: {RIM}, {RIM}"], "invalid pair of bodies"),
         (["--between", f"a: {ROD}, tie_rod_iner 5 mm"], "Did you mean 'tie_rod_inner'"),
-        (["--between", f"a: {ROD}, tie_rod_inner 5"], "cannot be meant"),
+        (["--between", f"a: {ROD}, tie_rod_inner 5"], "is implausible"),
         (["--between", f"a: {ROD}, tie_rod_inner -5 mm"], "radius"),
         (["--between", f"a: {ROD}, {RIM}", "--between", f"a: {ROD}, {ARM}"], "given twice"),
         (["--between", f"a: {ROD}, {RIM}", "--travel", "-20:20:2"], "Millimetres meant"),
@@ -139,8 +139,8 @@ def test_a_rack_beyond_the_end_of_travel_is_told(cli) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "no load from the road"),
-        (["--left", "lateral_force=1 kN"], "no load from the road"),
+        ([], "no load from the road is given"),
+        (["--left", "lateral_force=1 kN"], "no load from the road is given"),
         (["--load", "sideways=1 kN"], "sideways"),
         (["--load", "lateral_force=1 kN", "--rack", "-20:20:2"], "Millimetres meant"),
         (["--load", "lateral_force=1 mm"], "wrong unit"),
@@ -155,4 +155,4 @@ def test_bad_loads_are_refused(cli, arguments, message: str) -> None:
 def test_a_corner_without_rack_is_not_steered(cli) -> None:
     outcome = cli("steering-effort", "semi-trailing-arm", "--load", "lateral_force=1 kN")
     assert outcome.exit_code == 2
-    assert "no rack moves this wheel" in outcome.err
+    assert "this wheel has no steering rack" in outcome.err

@@ -163,7 +163,7 @@ def test_pareto(cli):
         ),
         (
             (*QUARTER[1:], "--free", "strut.dmper=9..99", "--objective", "sprung.az", *ON_C),
-            "no such parameter",
+            "unknown parameter",
         ),
         (
             (*QUARTER[1:], "--free", f"{DAMPER}=±9 %", "--objective", "sprung.a", *ON_C),

@@ -141,7 +141,7 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
         ),
         (
             HEAD + FREE.replace("tie_rod_inner", "tie_rod_iner") + CURVE,
-            ["free[0].point", "no such parameter"],
+            ["free[0].point", "unknown parameter"],
         ),
         (
             HEAD + FREE.replace("hardpoints.tie_rod_inner", "bodies.upright.mass") + CURVE,
@@ -193,9 +193,9 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
         ),
         (
             SEVERAL.replace("front =", '"../front" =') + FREE + CURVE,
-            ["not a rig name", "../front"],
+            ["invalid rig name", "../front"],
         ),
-        (SEVERAL.replace("front =", '"a.b" =') + FREE + CURVE, ["not a rig name"]),
+        (SEVERAL.replace("front =", '"a.b" =') + FREE + CURVE, ["invalid rig name"]),
         (
             SEVERAL + FREE.replace('"hard', '"rear.hard') + CURVE + 'rig = "front"\n',
             ["free[0].point", "'rear'", "front"],
@@ -218,13 +218,13 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
             HEAD + FREE + CURVE.replace('"toe"', '"clearance(rod, rim)"').replace("deg", "mm"),
             ["shape", "rod"],
         ),
-        (HEAD + FREE + CURVE + "[spread]\ncars = 10\n", ["nothing deviates"]),
+        (HEAD + FREE + CURVE + "[spread]\ncars = 10\n", ["the spread contains no deviation"]),
         (HEAD + FREE + CURVE + '[spread]\npoints = "1 mm"\ncars = 1\n', ["spread.cars"]),
         (
             HEAD
             + FREE.replace('within = "15 mm"', 'within = "15 mm"\nalong = "tie_rod_inner"')
             + CURVE,
-            ["not a direction"],
+            ["invalid direction"],
         ),
         (HEAD + FREE + 'tied = ["-hardpoints.tie_rod_inner"]\n' + CURVE, ["listed twice"]),
         (HEAD + FREE, ["target"]),

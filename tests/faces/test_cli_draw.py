@@ -18,7 +18,7 @@ def test_draw_chooses_a_name_and_never_overwrites(cli, tmp_path: Path) -> None:
     picture.write_text("mine", encoding="utf-8")
     again = cli("draw", RIG)
     assert again.exit_code == 2
-    assert "the output exists" in again.err
+    assert "the output already exists" in again.err
     assert picture.read_text(encoding="utf-8") == "mine"
     assert cli("draw", RIG, "--force").exit_code == 0
     assert picture.read_bytes().startswith(b"\x89PNG")
@@ -101,7 +101,7 @@ def test_animate_says_when_nothing_happens(cli, bump: Path) -> None:
         ),
         (("animate", RIG, *TRAVEL, "--figure", "a.avi"), "not written in this format"),
         (("animate", RIG, *TRAVEL, "--slow", "0", "--report", "a.html"), "--slow"),
-        (("animate", RIG, *TRAVEL, "--between", "5 mm", "--report", "a.html"), "not a range"),
+        (("animate", RIG, *TRAVEL, "--between", "5 mm", "--report", "a.html"), "invalid range"),
         (
             ("animate", RIG, *TRAVEL, "--between", "0 mm:50 mm", "--report", "a.html"),
             "no pose at this wheel travel",

@@ -90,7 +90,7 @@ def test_roads_that_cannot_be_written(cli) -> None:
     for words, message in (
         (("iso:C", "--out", "road.toml"), ".crg, .csv"),
         (("iso:C", "--out", "road.crg", "--step", "0 m"), "above 0"),
-        (("iso:C", "--out", "road.crg", "--step", "1 um"), "not a number of points"),
+        (("iso:C", "--out", "road.crg", "--step", "1 um"), "invalid number of points"),
         (("nothing.toml", "--out", "road.crg"), "no such file"),
     ):
         refused = cli("export", "road", *words)

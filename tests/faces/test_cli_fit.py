@@ -163,7 +163,7 @@ def test_several_decays_are_combined(cli, decay_file: Path, tmp_path: Path) -> N
     assert all(f"{name}.csv" in page for name in ("decay", "again"))
     refused = cli(*words, "--figure", "decays.svg")
     assert refused.exit_code == 2
-    assert "one picture shows one decay" in refused.err
+    assert "a figure shows only one decay" in refused.err
     assert found["damping_ratio"]["value"] == pytest.approx(0.11, rel=1e-6)
     assert found["files"] == [str(decay_file), str(other)]
 
@@ -223,7 +223,7 @@ def test_channel_that_is_no_motion(cli, tmp_path: Path) -> None:
     (tmp_path / "force.csv").write_text(f"time [s], tyre.force [N]\n{rows}\n", encoding="utf-8")
     outcome = cli("fit", "decay", "force.csv", "--channel", "tyre.force", "--mass", "16 kg")
     assert outcome.exit_code == 2
-    assert "not a motion; found 'N'" in outcome.err
+    assert "invalid motion; found 'N'" in outcome.err
 
 
 @pytest.fixture
@@ -524,7 +524,7 @@ def test_calibration_by_tilting_from_a_workbook(cli, tmp_path: Path) -> None:
         (
             "load [N],out [V]\n5,1\n5,1.1\n",
             (),
-            "cal.csv: equal reference values do not determine a sensitivity; found '5'",
+            "cal.csv: equal reference values cannot determine a sensitivity; found '5'",
         ),
         ("load [N],out [V]\n0,1\n5,1\n", (), "a constant reading; found '1'"),
         (
@@ -615,7 +615,7 @@ def test_hardpoints_are_the_same_by_command_job_and_python(cli, poses: str) -> N
     ("words", "message"),
     [
         (("--offset", "camber"), "--offset: unknown measured quantity 'camber'; allowed: toe"),
-        (("--starts", "0"), "--starts: not a number of searches; found 0"),
+        (("--starts", "0"), "--starts: invalid number of searches; found 0"),
         (("--noise", "toe=1mm"), "noise: toe: wrong unit"),
         (("--out", "rig.csv"), "rig.csv"),
     ],

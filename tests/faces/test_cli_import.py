@@ -53,7 +53,7 @@ def test_nothing_is_overwritten(cli, tmp_path: Path):
     file.write_text("mine", encoding="utf-8")
     refused = cli("import", "chrono", POLARIS, "--out", file)
     assert refused.exit_code == 2
-    assert "the output exists" in refused.err
+    assert "the output already exists" in refused.err
     assert file.read_text() == "mine"
     assert cli("import", "chrono", POLARIS, "--out", file, "--force").exit_code == 0
     assert jn.load(file).model == "double-wishbone"
@@ -68,7 +68,7 @@ def test_nothing_is_overwritten(cli, tmp_path: Path):
         ),
         (["missing.json"], "missing.json: no such file"),
         ([FILES / "LICENSE.txt"], "not valid JSON"),
-        ([POLARIS, "--wheel-radius", "330"], "--wheel-radius: 330 m cannot be meant"),
+        ([POLARIS, "--wheel-radius", "330"], "--wheel-radius: 330 m is implausible"),
         ([POLARIS, "--wheel-radius", "330 m"], None),
         ([POLARIS, "--wheel-radius", "330 kg"], "--wheel-radius: wrong unit"),
         ([POLARIS, "--sprung-mass", "0 kg"], "--sprung-mass: out of range"),
@@ -137,8 +137,8 @@ def test_a_table_of_hardpoints_becomes_a_rig(cli, tmp_path: Path):
     for words, message in (
         (("--side", "middle"), "unknown side 'middle'"),
         (("--axle", "third"), "unknown axle 'third'"),
-        (("--name", "Hub"), "not two names"),
-        (("--name", "Hub=wheel_centre", "--axes", "x"), "not three axes"),
+        (("--name", "Hub"), "two names are required"),
+        (("--name", "Hub=wheel_centre", "--axes", "x"), "three axes are required"),
     ):
         refused = cli("import", "hardpoints", "points.csv", *words)
         assert (refused.exit_code, message in refused.err) == (2, True)

@@ -248,7 +248,7 @@ def test_a_record_that_cannot_be_graded_is_kept_with_its_reasons(cli) -> None:
     ("content", "message"),
     [
         (f"time [s], left.plate.z [mm], left.plate.force [lb]\n{ROWS}", "lbf"),
-        (f"time [s], speed [m/s], way [m]\n{ROWS}", "no plate force of any wheel"),
+        (f"time [s], speed [m/s], way [m]\n{ROWS}", "the record has no plate force"),
         ("", "empty"),
     ],
 )
@@ -272,8 +272,8 @@ def test_a_record_that_cannot_be_read_is_kept_too(cli, content: str, message: st
         (("--method", "boge"), "unknown method of a rigid plate 'boge'"),
         (("--limits", "none.toml"), "none.toml: no such file"),
         (("--report", "car.docx"), "protocols are not written in this format"),
-        (("--report", "none/car.pdf"), "the folder of the output does not exist"),
-        (("--report", "there.pdf"), "the output exists"),
+        (("--report", "none/car.pdf"), "the output folder does not exist"),
+        (("--report", "there.pdf"), "the output already exists"),
         (("--report", "a.pdf", "--report", "a.pdf"), "given twice"),
         (("--language", "fr"), "unknown language 'fr'"),
         (("--store", "none/lane.sqlite"), "the folder of the store does not exist"),

@@ -195,7 +195,7 @@ def test_a_record_of_one_wheel_of_an_axle_is_one_of_this_wheel(cli, tmp_path: Pa
 @pytest.mark.parametrize(
     ("words", "says"),
     [
-        (("audi-a6-quarter-car", "--wheel", "both"), "one wheel stands on one plate"),
+        (("audi-a6-quarter-car", "--wheel", "both"), "a single wheel stands on one plate only"),
         (("audi-a6-full-car", "--wheel", "both", "--steady"), "steady states need a single wheel"),
         (
             ("audi-a6-full-car", "--wheel", "both", "--wear", "0:1:0.5"),

@@ -58,7 +58,7 @@ def test_people_get_a_table(cli) -> None:
         ("x [m], z [mm]\n" + rows(200, 0.75), "too far apart"),
         (
             "x [m], z [mm]\n" + "\n".join(reversed(rows(200).splitlines())),
-            "distance runs backwards",
+            "the distance decreases",
         ),
         ("x [m], z [mm]\n" + rows(200) + "50.0, nan\n", "not a finite number"),
         ("x [m], z [mm]\n" + rows(200) + "50.1, 0\n", "not evenly spaced"),

@@ -77,7 +77,7 @@ def test_usual_cases_are_shown_and_what_the_spring_cannot_carry_is_told(cli) -> 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--case", "braking"], "not a load case"),
+        (["--case", "braking"], "invalid load case"),
         (["--case", "a: lateral=fast"], "lateral"),
         (["--case", "a: sideways=1"], "sideways"),
         (["--case", "a: lateral=1", "--case", "a: lateral=2"], "given twice"),

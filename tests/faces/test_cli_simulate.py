@@ -136,7 +136,7 @@ def test_run_that_never_meets_the_obstacle_is_said(cli, bump: Path) -> None:
         (("--road", "missing"), "no shipped road of that name"),
         (("--road", "detrended_rms_course"), "Did you mean 'detrended_rms_course_1in'?"),
         (("--out", "run.ods"), "allowed: .nc, .csv"),
-        (("--out", "nowhere/run.nc"), "the folder of the output does not exist"),
+        (("--out", "nowhere/run.nc"), "the output folder does not exist"),
     ],
 )
 def test_bad_options(words: tuple[str, ...], message: str, cli, bump: Path, tmp_path: Path) -> None:
@@ -184,7 +184,7 @@ def test_existing_output_is_kept(cli, bump: Path, tmp_path: Path) -> None:
     words = ("simulate", RIG, "--road", bump, *DRIVE, "--out", "run.nc")
     outcome = cli(*words)
     assert outcome.exit_code == 2
-    assert "run.nc: the output exists" in outcome.err
+    assert "run.nc: the output already exists" in outcome.err
     assert "--force" in outcome.err
     assert (tmp_path / "run.nc").read_bytes() == b"mine"
     assert cli(*words, "--force").exit_code == 0
@@ -293,7 +293,7 @@ def test_runs_are_compared_and_reported(cli, bump: Path, tmp_path: Path) -> None
     assert outcome.json["channels"] == ["tyre.force"]
     assert (tmp_path / "ab.svg").read_text(encoding="utf-8").count("difference") == 1
     assert (tmp_path / "ab.pdf").read_bytes().startswith(b"%PDF")
-    assert "ab.pdf: the output exists" in cli("plot", "a.nc", "--report", "ab.pdf").err
+    assert "ab.pdf: the output already exists" in cli("plot", "a.nc", "--report", "ab.pdf").err
     assert "nothing to write" in cli("plot", "a.nc", "b.nc").err
     assert "no channel 'c.zz'" in cli("plot", "a.nc", "c.zz", "--figure", "c.svg").err
 
@@ -309,7 +309,7 @@ def test_plot(suffix: str, cli, bump: Path, tmp_path: Path) -> None:
     assert (tmp_path / f"figure.{suffix}").read_bytes().startswith(start)
     again = cli("plot", "run.nc", "--figure", f"figure.{suffix}")
     assert again.exit_code == 2
-    assert "the output exists" in again.err
+    assert "the output already exists" in again.err
 
 
 @pytest.mark.parametrize(

@@ -140,13 +140,13 @@ WRONG = {
         '"40 %"',
         '"forty"',
         "study.toml, line 16: vary.strut.damper.coefficient",
-        "not a share",
+        "invalid share",
     ),
     "an empty range": (
         '["400 kg", "520 kg"]',
         '["520 kg", "520 kg"]',
         "line 17: vary.sprung.mass",
-        "not a range",
+        "invalid range",
     ),
     "a unit": ('"400 kg"', '"400 m"', "line 17: vary.sprung.mass[0]", "wrong unit"),
     "a metric": ("max tyre.force", "maximum tyre.force", "study.toml, line 3: metrics", "'max'"),
@@ -468,7 +468,7 @@ def test_a_scheduler_that_is_not_there(cli, study, tmp_path: Path, monkeypatch) 
     for address in ("tcp://127.0.0.1:1", "nonsense://x"):
         outcome = cli("sweep", study(), "--out", "out", "--cluster", address)
         assert outcome.exit_code == 2
-        assert f"{address}: no scheduler answers" in outcome.err
+        assert f"{address}: the scheduler does not answer" in outcome.err
     assert cli("sweep", study(), "--out", "out", "--cluster", "x", "--workers", 2).exit_code == 2
     assert not (tmp_path / "out").exists()
 

@@ -212,7 +212,7 @@ def test_roads_that_end_or_are_coarse_are_told(cli, tmp_path: Path) -> None:
         ((HALF, "--set", "compat=simulnik"), "Did you mean 'simulink'?"),
         ((HALF, "--set", "front.distanc=1 m"), "Did you mean 'distance'?"),
         ((HALF, "--set", "front.distance=-1 m"), "front.distance: out of range"),
-        (("audi-a6-halfcar",), "no such file and no shipped"),
+        (("audi-a6-halfcar",), "no such file, and no"),
     ],
 )
 def test_refused(cli, words: tuple[str, ...], message: str) -> None:

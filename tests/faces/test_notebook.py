@@ -58,11 +58,11 @@ def test_a_slider_has_the_range_and_the_unit_of_its_number(kart: Any) -> None:
             ["strut.sprng.rate"],
             r"unknown number 'strut\.sprng\.rate'.*Did you mean 'strut\.spring\.rate'",
         ),
-        (["strut.spring.preload"], "half of zero is not a range"),
-        ({RATE: ("20 N/mm", 20000.0)}, "not a range; found '20000 to 20000'"),
+        (["strut.spring.preload"], "the default range around zero is empty"),
+        ({RATE: ("20 N/mm", 20000.0)}, "invalid range; found '20000 to 20000'"),
         ({RATE: ("20 N", "30 N")}, "wrong unit"),
-        ([], "no numbers to move"),
-        (RATE, "no numbers to move"),
+        ([], "no parameters for the sliders"),
+        (RATE, "no parameters for the sliders"),
     ],
 )
 def test_numbers_that_cannot_be_moved(numbers: Any, message: str, kart: Any) -> None:

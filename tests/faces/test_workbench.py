@@ -285,7 +285,7 @@ def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):
     status, answer = ask(
         "PUT", "/api/file", {"path": "karts/mine.toml", "text": "lost", "was": made["digest"]}
     )
-    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
+    assert (status, answer["error"]["what"]) == (409, "the file has changed since it was loaded")
     assert ask("GET", "/api/file?path=karts/mine.toml")[1] == saved
     assert ("karts/mine.toml", "rig") in {
         (one["path"], one["kind"]) for one in ask("GET", "/api/project")[1]["entries"]
@@ -371,7 +371,7 @@ def test_a_run_is_kept_of_the_rig_that_was_looked_at(ask):
         == 200
     )
     status, answer = ask("POST", "/api/keep", asked)
-    assert (status, answer["error"]["what"]) == (409, "the file was changed meanwhile")
+    assert (status, answer["error"]["what"]) == (409, "the file has changed since it was loaded")
     assert not (ask.folder / "runs" / "looked at.nc").exists()
     now = ask("GET", "/api/rig?name=looked-at.toml")[1]
     assert ask("POST", "/api/keep", asked | {"digest": now["digest"]})[0] == 200

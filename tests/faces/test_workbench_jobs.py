@@ -894,7 +894,7 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
     assert list(tmp_path.iterdir()) == []
     made = write_study(project, "study.toml", study)
     assert made["count"] == 2
-    with pytest.raises(OutputError, match="the file exists"):
+    with pytest.raises(OutputError, match="the file already exists"):
         write_study(project, "study.toml", study)
     write_study(project, "study.toml", study, made["digest"])
     (tmp_path / "rig.toml").write_bytes(library()["kart-quarter-car"].read_bytes())
@@ -927,7 +927,7 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
     }
     with pytest.raises(OutputError, match="holds no sweep"):
         swept(project, "nowhere")
-    with pytest.raises(DescriptionError, match="not a path"):
+    with pytest.raises(DescriptionError, match="invalid path"):
         swept(project, "..")
 
 

@@ -329,8 +329,8 @@ def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page
     for one in ("axle.csv", "second.csv"):
         files.go({"path": f"records/{one}", "size": 9})
     page.get_by_text("records/axle.csv, records/second.csv: uploaded.").wait_for()
-    files.refuse("the file exists")
-    page.get_by_text("the file exists").wait_for()
+    files.refuse("the file already exists")
+    page.get_by_text("the file already exists").wait_for()
     assert page.get_by_text("records/axle.csv, records/second.csv: uploaded.").is_visible()
     assert (plate.input_value(), record.input_value()) == ("B-AB 1", "records/axle.csv")
     page.get_by_text("No record available?").click()

@@ -58,7 +58,7 @@ def test_a_file_that_is_no_description_by_its_size(
 
 @pytest.mark.parametrize("value", [10**400, 10**5000, 1e31, "1e300 N/m", -1e300], ids=range(5))
 def test_sizes_that_nothing_has(value: object) -> None:
-    with pytest.raises(DescriptionError, match=r"not a finite number|an impossible size"):
+    with pytest.raises(DescriptionError, match=r"not a finite number|an impossible value"):
         to_si(value, "N/m")
 
 

@@ -89,12 +89,12 @@ def evil(monkeypatch, tmp_path):
     [
         (
             "crash",
-            r"a\.evil: reading the file ended the process that reads it \(SIGSEGV\): it is damaged",
+            r"a\.evil: reading the file ended the process that reads it \(SIGSEGV\), so the file is damaged",
         ),
         ("exit", r"a\.evil: the process that reads the file ended \(exit code 7\)"),
         (
             "loop",
-            r"a\.evil: reading the file does not finish: it is damaged; found 'more than 1 s'; allowed: ",
+            r"a\.evil: reading does not finish, so the file is damaged; found 'more than 1 s'; allowed: ",
         ),
         ("sleep", r"a\.evil: reading the file does not finish"),
         ("unknown", r"a\.evil: this cannot be used.*\(KeyError: 'x'\)"),

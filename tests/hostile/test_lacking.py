@@ -91,7 +91,7 @@ def test_no_record_is_graded_by_it(record, tmp_path, monkeypatch, error):
     with pytest.raises((ResourceError, OSError)):
         lane.import_record(record, store, TESTER)
     watch = FolderWatch(tmp_path, store, TESTER, settle=0.0)
-    assert [seen.problem.endswith("It is tried again.") for seen in watch.look()] == [True]
+    assert [seen.problem.endswith("jounce tries again.") for seen in watch.look()] == [True]
     assert not list(store.numbers())
     monkeypatch.undo()
     assert [seen.imported.number for seen in watch.look()] == [1]

@@ -207,7 +207,7 @@ def test_a_folder_in_the_place_of_a_file_and_a_file_in_the_way_are_refused_befor
 ) -> None:
     (tmp_path / "run.nc").mkdir()
     for force in (False, True):
-        with pytest.raises(OutputError, match="a folder has the name of the file"):
+        with pytest.raises(OutputError, match="a folder with the name of the file exists"):
             writing.check_writable(tmp_path / "run.nc", force=force)
     (tmp_path / "mine.txt").write_text("mine")
     with pytest.raises(OutputError, match=r"below a file; found '.*mine\.txt'"):

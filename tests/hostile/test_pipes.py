@@ -215,7 +215,7 @@ def test_devices_are_no_outputs(name, tmp_path):
     ]
     ended = run([*asked, "--duration", "0.2 s", "--out", name, "--force"], tmp_path)
     assert ended.returncode == 2
-    assert b"a pipe or a device, which no file can replace" in ended.stderr
+    assert b"a pipe or a device, which a file cannot replace" in ended.stderr
     assert b"--json" in ended.stderr
 
 

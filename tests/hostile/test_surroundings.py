@@ -67,7 +67,7 @@ def test_an_answer_that_does_not_fit_is_told(words: list[str]) -> None:
             [*COMMAND, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False
         )
     assert ran.returncode == 2
-    hint = "Check the path, the permissions and the space on the disk."
+    hint = "Check the path, the permissions and the free disk space."
     assert ran.stderr == f"jounce: standard output: {os.strerror(errno.ENOSPC)}. {hint}\n"
 
 

@@ -50,7 +50,7 @@ def test_a_folder_that_appears_meanwhile(
     if force:
         write_files(tmp_path / "out", {"a.txt": "ours"}, force=True)
     else:
-        with pytest.raises(OutputError, match="the output exists"):
+        with pytest.raises(OutputError, match="the output already exists"):
             write_files(tmp_path / "out", {"a.txt": "ours"})
     assert (tmp_path / "out" / "a.txt").read_text() == ("ours" if force else "theirs")
     assert [file.name for file in tmp_path.iterdir()] == ["out"]
@@ -70,7 +70,7 @@ def test_a_file_that_appears_meanwhile(
     for force in (False, True):
         with contextlib.ExitStack() as stack:
             if not force:
-                stack.enter_context(pytest.raises(OutputError, match="the output exists"))
+                stack.enter_context(pytest.raises(OutputError, match="the output already exists"))
             with writing.replacing(file, force=force) as temporary:
                 temporary.write_text("ours")
                 file.write_text("theirs")

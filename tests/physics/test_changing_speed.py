@@ -85,7 +85,7 @@ def test_slopes_by_parameters_are_exact() -> None:
     [
         ({"time": [0.0], "speed": [1.0]}, "at least 2"),
         ({"time": [0.5, 1.0], "speed": [1.0, 2.0]}, "must begin at 0"),
-        ({"time": [0.0, 0.0], "speed": [1.0, 2.0]}, "does not ascend"),
+        ({"time": [0.0, 0.0], "speed": [1.0, 2.0]}, "does not increase"),
         ({"time": [0.0, 1.0], "speed": [1.0, 0.0]}, "above 0"),
     ],
 )

@@ -285,7 +285,7 @@ def test_a_body_that_is_free_to_turn_still_has_a_response():
         (("Z", 20.0), {}, "unknown road class 'Z'"),
         (("C", 0.0), {}, "speed: out of range"),
         (("C", "20 km"), {}, "wrong unit"),
-        ((-1.0, 20.0), {}, "not a degree of roughness"),
+        ((-1.0, 20.0), {}, "invalid degree of roughness"),
         (("C", 20.0), {"band": (1.0, 0.1)}, "not a band"),
         (("C", 20.0), {"band": 3.0}, "not a band"),
         (("C", 20.0), {"waviness": 2.5}, "needs a band"),
@@ -297,7 +297,7 @@ def test_a_body_that_is_free_to_turn_still_has_a_response():
         (("C", 20.0), {"weighting": {"body.ay": "Wk"}, "band": "iso"}, "unknown channel"),
         (("C", 20.0), {"cut_off": -1.0}, "above 0"),
         (("C", 20.0), {"cut_off": 0.01, "waviness": 1.8, "band": "iso"}, "waviness 2"),
-        (("C", 20.0), {"parameters": ["front.spring"]}, "no such parameter.*Did you mean"),
+        (("C", 20.0), {"parameters": ["front.spring"]}, "unknown parameter.*Did you mean"),
         ((lambda n: -n, 20.0), {}, "does not give densities"),
     ],
 )

@@ -369,7 +369,7 @@ def test_doubts_are_read_from_the_campaign(template):
     for line, message in (
         ('heigth = "4 %"', "heigth"),
         ('height = "-4 %"', "height"),
-        ('values = {"unsprung.mas" = "1 %"}', "no such parameter"),
+        ('values = {"unsprung.mas" = "1 %"}', "unknown parameter"),
         ('values = {"unsprung.mass" = "1 mm"}', "unit"),
     ):
         template.write_text(f"{text}\n[doubt]\n{line}\n")
@@ -493,7 +493,7 @@ def test_an_impossible_update_is_reported_and_the_trials_still_judged(template, 
 @pytest.mark.parametrize(
     ("free", "message"),
     [
-        ('{"strut.spring.raet" = "10 %"}', r"no such parameter.*strut\.spring\.rate"),
+        ('{"strut.spring.raet" = "10 %"}', r"unknown parameter.*strut\.spring\.rate"),
         ('{"strut.spring.rate" = "10 kg"}', "unit"),
         ("{}", "no free parameter"),
     ],

@@ -197,7 +197,7 @@ def test_fewer_data_than_parameters_are_refused():
 @pytest.mark.parametrize(
     ("free", "message"),
     [
-        ({"strut.spring.rte": "10 %"}, "no such parameter"),
+        ({"strut.spring.rte": "10 %"}, "unknown parameter"),
         ({"strut.spring.rate": "0 %"}, "above zero"),
         ({"strut.spring.rate": "-10 %"}, "above zero"),
         ({"strut.spring.rate": "10 mm"}, "unit"),

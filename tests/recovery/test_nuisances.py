@@ -219,12 +219,12 @@ def test_nuisances_that_cannot_be_found_are_refused() -> None:
     for given, message in (
         ({"speeds": "5 %"}, "nuisance"),
         ({"strut.force.low_pass": ["20 Hz", "40 Hz"]}, "nuisance"),
-        ({"speed": "200 %"}, "not a share of the speed"),
+        ({"speed": "200 %"}, "invalid share of the speed"),
         ({"start": "5 %"}, "start"),
-        ({"start": "-2 mm"}, "not an amplitude"),
+        ({"start": "-2 mm"}, "invalid amplitude"),
         ({"speed": ["1.7 m/s", "1.8 m/s"]}, "the bounds exclude the speed"),
-        ({"sprung.az.low_pass": "5 %"}, "not a pair of bounds"),
-        ({"sprung.az.low_pass": ["450 Hz", "900 Hz"]}, "no corners between the bounds"),
+        ({"sprung.az.low_pass": "5 %"}, "invalid pair of bounds"),
+        ({"sprung.az.low_pass": ["450 Hz", "900 Hz"]}, "no corner frequencies between the bounds"),
     ):
         with pytest.raises(jn.JounceError, match=message):
             fitted(trials, nuisances=given)

@@ -108,7 +108,7 @@ def test_the_model_holds_in_all_trials(result: CampaignResult) -> None:
             lambda place: (place / "settings.toml").write_text(
                 (place / "settings.toml").read_text().replace("100 mV/g", "100")
             ),
-            "not a sensitivity with its units",
+            "a sensitivity with its units is required",
         ),
         (
             lambda place: (place / "settings.toml").write_text(

@@ -240,5 +240,5 @@ def test_what_cannot_be_told():
         jn.sensitivity_indices(many.isel(variant=slice(0, 3)))
     with pytest.raises(DescriptionError, match="no stored metric"):
         jn.sensitivity_indices(many.drop_vars("y"))
-    with pytest.raises(DescriptionError, match="no number varies"):
+    with pytest.raises(DescriptionError, match="no parameter varies"):
         jn.sensitivity_indices(many.isel(variant=[0, 0, 0, 0, 0, 0]))

@@ -385,8 +385,8 @@ def _corner(
         raise RecordingError(
             "drift hides the motion: the density falls from the lowest frequency",
             where=at,
-            allowed="your own corner frequency, above",
-            hint="Look at the spectrum, and choose a corner at which it rises above the drift.",
+            allowed="a corner frequency of your choice, higher than this",
+            hint="Check the spectrum and choose a corner frequency at which it rises above the drift.",
         )
     valley = int(np.argmin(density[:top]))
     above = np.flatnonzero(density[valley : top + 1] > _ABOVE_NOISE * density[valley])

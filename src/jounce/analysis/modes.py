@@ -252,11 +252,11 @@ def fit_modes(
     """
     if decay and given is not None:
         raise DescriptionError(
-            "a free decay has no input", where="given", found=given, allowed="no input with decay"
+            "a free decay has no input", where="given", found=given, allowed="none with decay"
         )
     if count is not None and not 1 <= count <= MOST_MODES:
         raise DescriptionError(
-            "not a number of modes",
+            "invalid number of modes",
             where="count",
             found=count,
             allowed=Phrase("1 to {most_modes}", most_modes=MOST_MODES),
@@ -362,7 +362,7 @@ def _lines(
             where=f"{used.name}: band",
             found=f"{len(f)} lines in {band_text(band)}",
             allowed=Phrase("at least {fewest_lines}", fewest_lines=_FEWEST_LINES),
-            hint="Take longer segments, a longer record or a wider band.",
+            hint="Use longer segments, a longer record or a wider band.",
         )
     if decay:
         step = 1.0 / used.rate
@@ -389,7 +389,7 @@ def _lines(
             where=used.name,
             found=f"{count} segments of {samples / rate:.3g} s",
             allowed=Phrase("at least {fewest_groups}", fewest_groups=_FEWEST_GROUPS),
-            hint="Take shorter segments, or a free decay.",
+            hint="Use shorter segments, or a free decay.",
         )
     group = np.arange(count) * groups // count
     if given is None:

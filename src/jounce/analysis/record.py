@@ -172,8 +172,8 @@ def from_recording(run: xr.Dataset, name: str, findings: tuple[Finding, ...] = (
     steps = check_instants(time, where=name)
     rate = (time.size - 1) / float(time[-1] - time[0])
     if np.ptp(steps) * rate > _EVEN and check_time(time, where=name)[1]:
-        hint = "Read the file with resample, or bring the recording onto constant steps."
-        raise RecordingError("time is not uniform", where=name, hint=hint)
+        hint = "Read the file with resample, or resample the recording to constant steps."
+        raise RecordingError("the time steps are not uniform", where=name, hint=hint)
     return Measured(run, name, rate, findings)
 
 
@@ -185,7 +185,7 @@ def select_channels(record: Measured, names: Sequence[str] | str | None) -> list
     present = record.names
     if names is None or not len(names):
         if not present:
-            raise RecordingError("no channel over time", where=record.name)
+            raise RecordingError("no channel varies over time", where=record.name)
         return present
     texts = [names] if isinstance(names, str) else names
     wanted = [part.strip() for text in texts for part in text.split(",") if part.strip()] or [""]

@@ -249,7 +249,7 @@ def check_confidence(confidence: float) -> None:
     if not 0.0 < confidence < 1.0:
         allowed = "between 0 and 1, such as 0.95"
         raise DescriptionError(
-            "not a confidence level", where="confidence", found=confidence, allowed=allowed
+            "invalid confidence level", where="confidence", found=confidence, allowed=allowed
         )
 
 

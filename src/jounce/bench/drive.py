@@ -253,7 +253,9 @@ def photo_sensor_speed(
     _check_positive(duration, "duration", "s")
     if radius_error < 0.0:
         raise FitError(
-            "the error of the radius is negative", found=f"{radius_error} m", allowed="0 m or more"
+            "the uncertainty of the radius is negative",
+            found=f"{radius_error} m",
+            allowed="0 m or more",
         )
     per_pulse = 2.0 * math.pi / (pulses_per_revolution * duration)
     angular = estimate(pulses * per_pulse, per_pulse / math.sqrt(6.0))
@@ -636,7 +638,7 @@ def find_belt_speed(
             allowed='either --inverter-frequency "24.6 Hz" or --speed "1.95 m/s", and/or --pulses 62 --duration "10 s"',
         )
     if pulses is None and duration is not None:
-        hint = "Count them in that time, or leave it out."
+        hint = "Add --pulses, or omit --duration."
         raise DescriptionError(
             "--duration is the time in which --pulses are counted, but --pulses is missing",
             hint=hint,

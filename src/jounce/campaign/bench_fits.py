@@ -399,10 +399,10 @@ def check_decay(
     count = len(matching_files(measured, "FILE"))
     if figure is not None and count > 1:
         raise OutputError(
-            "one picture shows one decay",
+            "a figure shows only one decay",
             where="--figure",
             found=f"{count} files",
-            hint="See --report.",
+            hint="Use --report for several files.",
         )
 
 
@@ -416,7 +416,7 @@ def _inertia(
     if own is None or wrong is not None:
         raise DescriptionError(
             Phrase(
-                "the {inertia_word} of what swings is needed",
+                "the {inertia_word} of the oscillating body is required",
                 inertia_word=Phrase(motion.inertia_word),
             )
             if own is None
@@ -440,12 +440,12 @@ def _motion_in(data: xr.Dataset, channel: str, file: str) -> tuple[Array, Motion
             Phrase("no channel {channel!r}", channel=channel),
             where=file,
             found=", ".join(names),
-            hint=nearest(channel, names) or "See --columns.",
+            hint=nearest(channel, names) or "Name the column with --columns.",
         )
     unit = data[channel].attrs["units"]
     if unit not in QUANTITY_OF_UNIT:
         raise RecordingError(
-            "not a motion",
+            "invalid motion",
             where=f"{file}: {channel}",
             found=unit,
             allowed="a displacement, velocity or acceleration, or an angle and its derivatives",
@@ -680,13 +680,13 @@ def check_stiffness(*, rig: Any, part: str | None, out: Path | None, **_others: 
     """Refuse a rig without an output file, and a part without a rig."""
     if (rig is None) != (out is None):
         raise OutputError(
-            "a rate is written from one rig into another file",
+            "--rig and --out must be given together",
             where="--rig",
             allowed="--rig and --out",
         )
     if part is not None and rig is None:
         raise OutputError(
-            "a part without a rig",
+            "a part is named without a rig",
             where="--part",
             found=part,
             allowed="--part with --rig and --out",
@@ -702,7 +702,7 @@ def _with_rate(fit: StiffnessResult, rig: str, part: str, source: str) -> str:
             where="--part",
             found=f"{unit_in_words(motion.stiffness)} for {part}",
             allowed=Phrase(
-                "a part in {stiffness}; this one is in {takes}",
+                "a part whose stiffness is in {stiffness}; this part needs {takes}",
                 stiffness=unit_in_words(motion.stiffness),
                 takes=unit_in_words(takes),
             ),

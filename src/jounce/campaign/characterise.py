@@ -535,7 +535,8 @@ def _decay(
     assert at_strut is not None
     if not math.isfinite(at_strut.value):
         raise RecordingError(
-            "the decays have too few swings for a logarithmic decrement", where="bench.decay.method"
+            "the decays have too few oscillations for a logarithmic decrement",
+            where="bench.decay.method",
         )
     seen = next(choice.seen for choice in measured.damping_choices if choice.is_used)
     if not _has_value(measured, "bench.decay", measured.decay.findings, at_strut):
@@ -606,7 +607,7 @@ def _quantity(channel: str) -> Literal["displacement", "velocity", "acceleration
     if unit not in kinds:
         allowed = "a displacement, velocity or acceleration"
         raise RecordingError(
-            "not a motion", where=f"bench.decay: channel {channel!r}", found=unit, allowed=allowed
+            "invalid motion", where=f"bench.decay: channel {channel!r}", found=unit, allowed=allowed
         )
     return kinds[unit]
 

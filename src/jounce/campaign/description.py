@@ -174,8 +174,10 @@ class Campaign(Description):
         if slow and not has_pulses:
             raise ValueError(
                 Phrase(
-                    "the speed of trial {slow} is missing; a road is driven over at a speed, or [belt] has "
-                    "radius, pulses and column",
+                    (
+                        "the speed of trial {slow} is missing; a road needs a speed, or radius, pulses and column "
+                        "in [belt]"
+                    ),
                     slow=slow[0],
                 )
             )

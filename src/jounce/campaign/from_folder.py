@@ -161,7 +161,7 @@ def _settings_of(source: Path, given: Path | str | None) -> Path:
             where=str(source),
             found=", ".join(file.name for file in files) or None,
             allowed='one TOML file with schema = "jounce.laboratory/1", or --settings FILE',
-            hint="It states both masses, the obstacle, the belt and the channels of the card.",
+            hint="The file states both masses, the obstacle, the belt and the channels of the data acquisition card.",
         )
     return files[0]
 
@@ -224,7 +224,7 @@ class _Maker:
                 where=str(self.source),
                 found=", ".join(file.name for file in tables) or None,
                 allowed="one CSV or XLSX with columns trial, speed, angle, pressure, profile",
-                hint='Name it in the settings: trials = "table.csv".',
+                hint='Name the table in the settings: trials = "table.csv".',
             )
         rows, unread = read_trials(tables[0]), unread_headings(tables[0])
         if unread:

@@ -54,7 +54,7 @@ class CardChannel(Sensor):
             raise error_at(
                 ("measures",),
                 Phrase(
-                    "{measures!r} names no known quantity, as sprung.az does",
+                    "{measures!r} does not name a known quantity, such as sprung.az",
                     measures=self.measures,
                 ),
             )

@@ -115,7 +115,9 @@ def start_campaign(
     if settings is not None or strategies != "default":
         where = "settings" if settings is not None else "strategies"
         raise DescriptionError(
-            "goes with measured files", where=where, hint="Give their folder with --from."
+            "applies only to measured files",
+            where=where,
+            hint="Name the folder of the files with --from.",
         )
     campaign = new_campaign(folder, force=force)
     return NewCampaign(Path(folder), campaign, _files(folder))

@@ -289,11 +289,7 @@ def campaign_next_trials(
         runner, knowledge, Path(path), speeds, roads, strut_angles, tyre_pressures
     )
     basis = update_with_density(trials, free, settings, progress).basis
-    progress(
-        Phrase(
-            "{name}: {count} trials that could be run", name=settings.name, count=len(candidates)
-        )
-    )
+    progress(Phrase("{name}: {count} candidate trials", name=settings.name, count=len(candidates)))
     ranking = next_trials(basis, candidates, count=count)
     return replace(ranking, findings=(*ranking.findings, *lost))
 
@@ -321,15 +317,17 @@ def _prepared_update(
     }
     problems = [item for item in runner.findings if item.severity == "problem"]
     if len(done) < len(before) and problems:
-        raise FitError("an update it starts from failed", where=entry.name, found=str(problems[-1]))
+        raise FitError(
+            "an update on which it is based failed", where=entry.name, found=str(problems[-1])
+        )
     knowledge, _, trials, settings = runner.set_up(entry, start, done)
     if settings.nuisances:
         hint = (
-            "State what the update finds as speed of the trials and low_pass of the sensors, and "
-            "leave nuisances out."
+            "Enter the speeds and filters that the update estimated (speed of the trials, low_pass of "
+            "the sensors), and omit nuisances."
         )
         raise FitError(
-            "speeds and filters are not drawn from a posterior", where=entry.name, hint=hint
+            "a posterior does not sample speeds and filters", where=entry.name, hint=hint
         )
     if not trials:
         raise FitError(
@@ -360,14 +358,14 @@ def _candidates(
     names = list(roads or known)
     if not names:
         raise FitError(
-            "no road to drive over",
+            "no road is defined",
             where=str(path),
             hint="Write [roads.NAME] tables in the campaign.",
         )
     driven = [entry.speed for entry in runner.campaign.trial if entry.speed is not None]
     if speeds is None and not driven:
         raise FitError(
-            "no speed to drive at", where=str(path), hint='Give speeds, e.g. ["1 m/s", "3 m/s"].'
+            "no speed is given", where=str(path), hint='Give speeds, e.g. ["1 m/s", "3 m/s"].'
         )
     if speeds is None:
         chosen = [float(v) for v in np.round(np.linspace(min(driven), max(driven), _SPEEDS), 3)]

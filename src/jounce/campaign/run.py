@@ -400,11 +400,11 @@ def _check_length(trial: Trial, measured: xr.Dataset) -> None:
     step = float(measured["time"][1] - measured["time"][0])
     if step > SLOWEST_STEP:
         raise FitError(
-            "the recording is too slow to show the motion of a suspension",
+            "the sample rate is too low to resolve the motion of a suspension",
             where="time",
             found=f"a sample every {step:.4g} s",
             allowed=Phrase("steps up to {slowest_step:g} s", slowest_step=SLOWEST_STEP),
-            hint="Is its time in ms, or in a unit other than its header states?",
+            hint="Is the time in ms, or in a unit other than the one in the header?",
         )
     if last < trial.obstacle_end():
         raise FitError(
@@ -577,7 +577,7 @@ class Runner:
         knowledge = start
         if entry.start_from is not None:
             if entry.start_from not in done:
-                raise FitError("the update it starts from failed", found=entry.start_from)
+                raise FitError("the update on which it is based failed", found=entry.start_from)
             knowledge = done[entry.start_from].knowledge
         if entry.tyre_law == "polynomial":
             knowledge = polynomial_tyres(self.campaign.bench, knowledge, self.folder, self.bench)

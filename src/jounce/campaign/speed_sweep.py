@@ -142,7 +142,7 @@ def _speeds(speeds: ArrayLike | Sequence[str]) -> Array:
     velocity = as_values(speeds, "m/s", where="speeds")
     if len(velocity) == 0 or not np.all(velocity > 0.0):
         raise DescriptionError(
-            "not speeds to drive at",
+            "invalid speeds",
             where="speeds",
             found=speeds,
             allowed="one or more above 0 m/s",
@@ -160,7 +160,7 @@ def _logarithmic(rig: Rig, parameters: Sequence[str]) -> tuple[FreeParameter, ..
             raise FitError(
                 "a value of zero has no relative sensitivity",
                 where=path,
-                hint="Give it a small value.",
+                hint="Use a small nonzero value.",
             )
     return tuple(FreeParameter(path, values[path], 0.0, 2.0 * values[path]) for path in parameters)
 

@@ -59,7 +59,7 @@ from jounce.core.trust import trusting
 
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
 _LONGEST = 1000  # maximum characters of a message of the command-line parser
-_TOO_LARGE = "Reduce the number of samples: a shorter duration, or a larger output step."
+_TOO_LARGE = "Reduce the number of samples with a shorter duration or a larger output step."
 _SAMPLED = {"simulate", "ride", "compare", "sweep", "animate", "plot", "campaign", "demo"}
 _CLICK_ERROR: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException"
@@ -209,7 +209,7 @@ def completion(
             _, file = install_completion(shell.value, "jounce", _COMPLETION)
         except RuntimeError:  # of pathlib
             raise OutputError(
-                "the home folder, in which a shell keeps its settings, is unknown",
+                "the home folder with the settings of the shell is unknown",
                 where="--install",
                 hint="Set HOME, or print the script without --install and let the shell read it.",
             ) from None
@@ -288,9 +288,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except JounceError as error:
         return refuse(error, as_json=as_json)
     except UnicodeEncodeError as error:
-        hint = "Is it written in another encoding than UTF-8?"
+        hint = "Is its encoding something other than UTF-8?"
         return refuse(
-            JounceError("a text that is not valid Unicode", found=error.object, hint=hint),
+            JounceError("text that is not valid Unicode", found=error.object, hint=hint),
             as_json=as_json,
         )
     except Exception as error:  # noqa: BLE001 - the last resort explains how to report it
@@ -305,7 +305,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if isinstance(error, MemoryError):
             return refuse(unforeseen(error), as_json=as_json)
         if isinstance(error, OSError):
-            hint = "Check the path, the permissions and the disk space."
+            hint = "Check the path, the permissions and the free disk space."
             return refuse(
                 OutputError(error.strerror or str(error), where=_place_of(error), hint=hint),
                 as_json=as_json,

@@ -195,7 +195,7 @@ def draw(
         title = Path(rig).stem
         if centres and (travel is not None or rack is not None):
             raise DescriptionError(
-                "centres are drawn at design",
+                "instant centres are drawn only in the design position",
                 where="--centres",
                 hint="Leave out --travel and --rack.",
             )
@@ -418,7 +418,7 @@ def _few_poses(
             where=moved,
             found=len(at),
             allowed=Phrase("at most {most_poses}", most_poses=_MOST_POSES),
-            hint="Take larger steps, or use jounce animate.",
+            hint="Use larger steps, or jounce animate.",
         )
     fine = np.unique(np.round([*at, *np.linspace(at[0], at[-1], _WAY)], 9)) if len(at) > 1 else at
     sweep = _sweep(rig, {**values, moved: fine})
@@ -429,7 +429,9 @@ def _few_poses(
 def _ends(text: str, unit: str) -> tuple[float, float]:
     first, colon, last = text.partition(":")
     if not colon or not first.strip() or not last.strip():
-        raise DescriptionError("not a range", where="--between", found=text, allowed='"first:last"')
+        raise DescriptionError(
+            "invalid range", where="--between", found=text, allowed='"first:last"'
+        )
     return quantity(first.strip(), unit, "--between"), quantity(last.strip(), unit, "--between")
 
 

@@ -115,7 +115,7 @@ def _wait_for_writer(handle: int, pipe: str) -> bytes:
         except BlockingIOError:  # open for writing, but empty
             return b""
         time.sleep(_PAUSE)
-    waited, hint = f"none within {_PATIENCE:g} s", "Start the process that writes to it first."
+    waited, hint = f"none within {_PATIENCE:g} s", "Start the writing process first."
     raise DescriptionError("no process writes into this pipe", where=pipe, found=waited, hint=hint)
 
 
@@ -146,10 +146,12 @@ def _copy(number: int, folder: Path, name: str = "", begin: bytes = b"") -> Path
                 size += len(share)
                 if size > _LARGEST:
                     allowed = Phrase("up to {largest:.3g} GB", largest=_LARGEST / 1e9)
-                    raise DescriptionError("the pipe does not end", where=name, allowed=allowed)
+                    raise DescriptionError(
+                        "the pipe delivers more data than allowed", where=name, allowed=allowed
+                    )
                 target.write(share)
     except OSError as error:
-        hint = "Check the space there (TMPDIR)."
+        hint = "Check the free space in the temporary folder (TMPDIR)."
         raise OutputError(
             "a pipe cannot be copied", where=str(folder), found=error.strerror, hint=hint
         ) from error

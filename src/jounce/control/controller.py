@@ -210,7 +210,7 @@ class TwoStateLaw(Controller):
     @model_validator(mode="after")
     def _check_is_damper(self) -> Self:
         if isinstance(self.actuator, ActiveActuator):
-            what = Phrase("the law {name} switches a damper", name=show_value(self.name))
+            what = Phrase("the law {name} is for a switched damper", name=show_value(self.name))
             raise error_at(
                 (),
                 what,
@@ -451,7 +451,7 @@ class _OwnFunction:
             corners=", ".join(corners),
         )
         raise SimulationError(
-            "the controller's answer is not a command",
+            "the controller did not return a valid command",
             where=f"control function at t = {t:.6g} s",
             found=given_answer,
             allowed=several if len(corners) > 1 else "one number",

@@ -286,7 +286,7 @@ def h_infinity(
         raise SimulationError(
             "no H-infinity controller was found",
             where="h-infinity",
-            hint="Loosen the targets of deflection and acceleration.",
+            hint="Relax the targets for deflection and acceleration.",
         )
     A, B, C, D, _ = cont2discrete(controller, period, method="bilinear")
     measured, force = scale

@@ -116,7 +116,7 @@ class Column:
             most = float(np.fmax.reduce(np.abs(values), initial=0.0))
         if LARGEST < most < math.inf:  # NaN and infinities are refused by their row
             size = f"{most / abs(factor):g} {self.unit}".rstrip()
-            raise RecordingError("an impossible size", where=self.where, found=size)
+            raise RecordingError("an impossible value", where=self.where, found=size)
         return values
 
 
@@ -614,14 +614,14 @@ def _check_header(header: list[str], file: Path, line: int, separator: str, name
         if named:
             raise RecordingError(
                 Phrase(
-                    "the given header names {named} columns, the file has {count}",
+                    "the given header names {named} columns, but the file has {count}",
                     named=named,
                     count=len(header),
                 ),
                 where=where,
                 found=written,
             )
-        hint = "Write it above the numbers, or give all names in their order: columns = 'time [s], force [N]'."
+        hint = "Write the header above the numbers, or give all names in order: columns = 'time [s], force [N]'."
         raise RecordingError(
             "the header is missing", where=where, found=written, allowed=allowed, hint=hint
         )
@@ -958,7 +958,10 @@ def _ragged_row_error(
 
 def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
     if cell == "":
-        hint = "Fill it or remove the row; for signals over time, resample (--resample) bridges the gap and reports it."
+        hint = (
+            "Fill the cell or remove the row; for signals over time, resample (--resample) bridges the "
+            "gap and reports it."
+        )
         return RecordingError("the cell is blank", where=where, allowed="a number", hint=hint)
     if _DECIMAL_COMMA.fullmatch(cell):
         return RecordingError(

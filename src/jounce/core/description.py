@@ -57,7 +57,7 @@ class _DescriptionType(ModelMetaclass):
         if arguments:
             allowed = ", ".join(cls.model_fields)  # type: ignore[attr-defined]
             raise DescriptionError(
-                "fields are given by their names", where=cls.__name__, allowed=allowed
+                "fields must be given by name", where=cls.__name__, allowed=allowed
             )
         try:
             return super().__call__(**fields)
@@ -117,7 +117,7 @@ class Description(Shown, BaseModel, metaclass=_DescriptionType):
                 change=change,
             )
         return DescriptionError(
-            "descriptions are frozen", where=f"{type(self).__name__}.{name}", hint=hint
+            "descriptions cannot be modified", where=f"{type(self).__name__}.{name}", hint=hint
         )
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:

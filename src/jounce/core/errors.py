@@ -192,7 +192,7 @@ class DiskError(ResourceError, OutputError):
 
 NO_THREAD = "can't start new thread"
 """Python's message if the system does not allow more threads."""
-_MEMORY = ("out of memory", "End other programs, or raise the limit of memory (ulimit -v).")
+_MEMORY = ("out of memory", "Close other programs, or raise the memory limit (ulimit -v).")
 _PROCESSES = (
     "no more processes or threads can be started",
     "End other programs, or raise the limit of processes and threads (ulimit -u).",
@@ -209,7 +209,7 @@ _LIBRARY = (
     "a library cannot be loaded",
     "Is the installation complete, and is there enough memory for it (ulimit -v)?",
 )
-WHERE_WRITTEN = "Check the path, the permissions and the space on the disk."
+WHERE_WRITTEN = "Check the path, the permissions and the free disk space."
 """Advice if the system refuses to write."""
 _DISK = ("the disk is full or faulty", WHERE_WRITTEN)
 _LACKING = {

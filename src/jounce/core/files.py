@@ -176,7 +176,9 @@ def find_file(
         return file
     if str(name) not in shipped:
         missing = _instead(file) if str(name) else _MISSING
-        unknown = Phrase("no such file and no shipped {kind} of that name", kind=Phrase(what))
+        unknown = Phrase(
+            "no such file, and no {kind} of that name in the library", kind=Phrase(what)
+        )
         raise DescriptionError(
             unknown if missing == _MISSING else missing,
             where=str(name),

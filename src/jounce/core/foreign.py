@@ -29,10 +29,10 @@ def plain_numbers(values: object, where: str, error: type[JounceError]) -> tuple
         _refuse(np.isnat(array), "is missing")
         if array.dtype.kind == "M":
             if not array.ndim:
-                raise _NoNumberError("an instant is not a number")
+                raise _NoNumberError("a single point in time is not a number")
             array = array - array[:1]
         if np.datetime_data(array.dtype)[0] in ("generic", "Y", "M"):
-            raise _NoNumberError("durations in months, years or no unit")
+            raise _NoNumberError("durations in months or years, or without a unit")
         return np.asarray(array / np.timedelta64(1, "s"), dtype=np.float64), "s"
     except _NoNumberError as fault:
         raise error(str(fault), where=where, allowed="real numbers") from None
@@ -118,7 +118,7 @@ def _stack(items: list[Any]) -> tuple[NDArray[Any], str]:
     if len(kinds) > 1 or len(units) > 1:
         raise _NoNumberError(
             Phrase(
-                "numbers of several kinds or units ({units})",
+                "values of several quantities or units ({units})",
                 units=", ".join(sorted(units | kinds)),
             )
         )
@@ -142,7 +142,7 @@ def _scalar(value: Any) -> tuple[NDArray[Any], str]:
         if value.tzinfo is not None:
             return np.array(value.astimezone(UTC).replace(tzinfo=None), "M8[us]"), _ZONED
         return np.array(value, "M8[us]"), ""
-    raise _NoNumberError(Phrase("{value} is no number", value=show_value(value)))
+    raise _NoNumberError(Phrase("{value} is not a number", value=show_value(value)))
 
 
 _REAL = (float, int, np.floating, np.integer)  # NumPy's durations are integers, too

@@ -206,7 +206,9 @@ class Names(Pairs):
 
         theirs, equals, ours = (part.strip() for part in text.rpartition("="))
         if not (theirs and equals and ours):
-            raise DescriptionError("not two names", where=where, found=text, allowed="THEIRS=OURS")
+            raise DescriptionError(
+                "two names are required", where=where, found=text, allowed="THEIRS=OURS"
+            )
         return theirs, ours
 
 

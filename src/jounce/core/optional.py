@@ -29,7 +29,9 @@ def require(module: str, extra: str) -> ModuleType:
             raise
         raise MissingPackageError(
             Phrase("the package {module!r} is not installed", module=module),
-            hint=Phrase("Install it with: {how_to_install}", how_to_install=how_to_install(extra)),
+            hint=Phrase(
+                "Install the package with: {how_to_install}", how_to_install=how_to_install(extra)
+            ),
         ) from None
 
 

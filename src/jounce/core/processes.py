@@ -25,7 +25,7 @@ def refusal() -> JounceError | None:
         return JounceError(
             "a worker of a pool cannot start workers of its own",
             where="workers",
-            allowed="1 in a worker",
+            allowed="1 within a worker process",
             hint="The surrounding pool already distributes the work.",
         )
     line = _unguarded_line()

@@ -15,4 +15,4 @@ def is_whole(number: object) -> bool:
 def check_seed(seed: object, error: type[JounceError] = DescriptionError) -> None:
     """Refuse invalid seeds."""
     if not is_whole(seed) or seed < 0:  # type: ignore[operator]
-        raise error("not a seed", where="seed", found=seed, allowed="a whole number, 0 or more")
+        raise error("invalid seed", where="seed", found=seed, allowed="a whole number, 0 or more")

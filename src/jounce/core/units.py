@@ -261,7 +261,7 @@ def as_number(value: object, si: str, *, where: str = "") -> float:
         return to_si(value, si, where=where)
     given = "None" if value is None else value
     refusal = DescriptionError(
-        "not a physical value",
+        "invalid physical value",
         where=where,
         found=given,
         allowed=Phrase("'<number> <unit of {si}>'", si=si),
@@ -333,9 +333,11 @@ def to_si(value: object, si: str, *, where: str = "") -> float:
         )
     is_written = isinstance(value, str)  # a zero with rounding error is valid
     if abs(number) > LARGEST or (is_written and 0.0 < abs(number) < _SMALLEST):
-        sizes = Phrase("0, and sizes from {least:g} to {most:g}", least=_SMALLEST, most=LARGEST)
+        sizes = Phrase(
+            "0, and magnitudes from {least:g} to {most:g}", least=_SMALLEST, most=LARGEST
+        )
         allowed = sizes if si == "1" else Phrases(" ", [sizes, si])
-        raise DescriptionError("an impossible size", where=where, found=value, allowed=allowed)
+        raise DescriptionError("an impossible value", where=where, found=value, allowed=allowed)
     return number
 
 
@@ -371,7 +373,7 @@ def bare_si(number: float, si: str, *, where: str, most: float | None = None) ->
     1.95
     >>> bare_si(-2.0, "rad", where="--camber")   # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    jounce.core.errors.DescriptionError: --camber: -2 rad cannot be meant, ... Write the unit: '-2 deg', or '-2 rad' ...
+    jounce.core.errors.DescriptionError: --camber: -2 rad is implausible, ... State the unit: '-2 deg', or '-2 rad' ...
     """
     low, high, usual = _MEANT.get(si, (0.0, math.inf, si))
     high = min(high, math.inf if most is None else most)
@@ -380,12 +382,14 @@ def bare_si(number: float, si: str, *, where: str, most: float | None = None) ->
     other = Phrase("'{number:g} {unit}', or ", number=number, unit=usual) if usual != si else ""
     raise DescriptionError(
         Phrase(
-            "{number:g} {si} cannot be meant, and a bare number is in {si}", number=number, si=si
+            "{number:g} {si} is implausible, and a number without a unit is in {si}",
+            number=number,
+            si=si,
         ),
         where=where,
         found=f"{number:g}",
         hint=Phrase(
-            "Write the unit: {other}'{number:g} {si}' if it is correct.",
+            "State the unit: {other}'{number:g} {si}' if this value is right.",
             other=other,
             number=number,
             si=si,

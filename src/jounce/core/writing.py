@@ -22,7 +22,7 @@ from jounce.core.errors import WHERE_WRITTEN, DiskError, OutputError, is_of_syst
 from jounce.core.locking import holding
 from jounce.core.optional import require
 
-ALLOW_OVERWRITING = "Choose another name or allow it with --force."
+ALLOW_OVERWRITING = "Choose another name, or overwrite it with --force."
 """Advice if an existing file would be overwritten."""
 
 
@@ -34,22 +34,24 @@ def check_writable(
     if file.exists() and not file.is_file() and not file.is_dir():
         hint = "Write to a file and read that; only the output of --json can go to a pipe."
         raise OutputError(
-            "a pipe or a device, which no file can replace", where=str(file), hint=hint
+            "a pipe or a device, which a file cannot replace", where=str(file), hint=hint
         )
     if suffixes and file.suffix.lower() not in suffixes:
         problem, allowed = f"{what} are not written in this format", ", ".join(suffixes)
         raise OutputError(problem, where=str(file), found=file.suffix, allowed=allowed)
     if file.is_dir():
         raise OutputError(
-            "a folder has the name of the file", where=str(file), hint="Choose another name."
+            "a folder with the name of the file exists",
+            where=str(file),
+            hint="Choose another name.",
         )
     if file.exists() and not force:
-        raise OutputError("the output exists", where=str(file), hint=ALLOW_OVERWRITING)
+        raise OutputError("the output already exists", where=str(file), hint=ALLOW_OVERWRITING)
     if not file.parent.is_dir():
         raise OutputError(
-            "the folder of the output does not exist",
+            "the output folder does not exist",
             where=str(file.parent),
-            hint="Create it first.",
+            hint="Create the folder first.",
         )
     return file
 
@@ -287,7 +289,7 @@ def check_folder(out: Path | str, *, force: bool = False) -> Path:
         there = next(parent for parent in folder.parents if parent.exists())
         if not there.is_dir():
             raise OutputError(
-                "a folder cannot be made below a file", where=str(folder), found=str(there)
+                "a folder cannot be created inside a file", where=str(folder), found=str(there)
             )
     return folder
 
@@ -295,7 +297,9 @@ def check_folder(out: Path | str, *, force: bool = False) -> Path:
 def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
     if root.exists() and not root.is_dir():
         raise OutputError(
-            "a file has the name of the folder", where=str(root), hint="Choose another name."
+            "a file with the name of the folder exists",
+            where=str(root),
+            hint="Choose another name.",
         )
     for file in files:
         if not resolve_path(file).is_relative_to(root):
@@ -303,9 +307,13 @@ def _check_room(root: Path, files: Iterable[Path], *, force: bool) -> None:
                 "the file would be outside the folder", where=str(root), found=str(file)
             )
         if file.is_dir():
-            raise OutputError("a file cannot be written where a folder is", where=str(file))
+            raise OutputError(
+                "the file cannot be written: a folder with this name exists", where=str(file)
+            )
         if any(parent.is_file() for parent in file.parents if parent.is_relative_to(root)):
-            raise OutputError("a folder cannot be made where a file is", where=str(file.parent))
+            raise OutputError(
+                "the folder cannot be created: a file with this name exists", where=str(file.parent)
+            )
         if file.exists() and not force:
             check_writable(file)
 

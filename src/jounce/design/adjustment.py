@@ -79,7 +79,7 @@ def check_adjusted(**given: Any) -> None:
     """Reject an output file if nothing changes the rig."""
     if given["out"] is not None and not any(given[name] for name in ("set_", "camber", "toe")):
         raise DescriptionError(
-            "nothing to adjust", where="--out", allowed="with --set, --camber or --toe"
+            "nothing to adjust", where="--out", allowed="--out with --set, --camber or --toe"
         )
 
 
@@ -157,7 +157,7 @@ def adjust_rig(
             if name == "camber_plate" or (name.endswith("_length") and name != "pushrod_length"):
                 hint = "Leave it out, or --camber and --toe."
                 raise DescriptionError(
-                    "a length to be found is also given", where=f"--set {name}", hint=hint
+                    "a length is both given and to be found", where=f"--set {name}", hint=hint
                 )
         made |= lengths.settings()
     return Adjustment(adjust_report(rig, made, effects=not made), lengths)

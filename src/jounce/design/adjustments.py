@@ -406,11 +406,11 @@ def _unreachable(
     return DescriptionError(
         "the published adjustment range does not reach this"
         if isinstance(rig, DoubleWishbone)
-        else "the lengths do not reach this",
+        else "the adjustable lengths do not reach this",
         where=", ".join(wished),
         found=wishes,
         allowed=Phrase(
-            "about {texts}, each by itself ({used})",
+            "about {texts}, each taken alone ({used})",
             texts=" and ".join(texts),
             used=", ".join(used),
         ),

@@ -119,13 +119,13 @@ def check_task(vehicle: str, out: Path | None, **given: Any) -> None:
             raise DescriptionError(
                 "a study file defines the whole task",
                 where=f"--{name}",
-                hint="Write it into the file.",
+                hint="Write the option into the file.",
             )
     if out is not None and read_optimisation(vehicle)[0].front is not None:
         raise DescriptionError(
-            "a front consists of many rigs",
+            "a Pareto front has many designs, which one file cannot hold",
             where="--out",
-            hint="Take one of its designs with --set.",
+            hint="Apply one of its designs with --set.",
         )
 
 

@@ -81,7 +81,7 @@ class KinematicEvaluator:
         for metric in self.metrics:
             curve = swept[metric.channels[0]].to_numpy()
             if not np.all(np.isfinite(curve)):
-                raise FitError("the linkage does not reach all of the travel", where=metric.text)
+                raise FitError("the linkage does not cover the whole travel", where=metric.text)
             number = {
                 "value": float(np.interp(0.0, self.travel, curve)), "range": float(np.ptp(curve)),
                 "max": float(np.max(curve)), "min": float(np.min(curve)),
@@ -207,7 +207,7 @@ def cases_problem(
     for case, asked in inner.items():
         if not asked:
             raise DescriptionError(
-                "no metric uses it",
+                "no metric uses this case",
                 where=f"cases.{case}",
                 hint=Phrase('e.g. "{case}: sprung.az"', case=case),
             )
@@ -233,9 +233,7 @@ def cases_problem(
     for text in weights:
         base = problem.base_of(metrics[text])
         if not (np.isfinite(base) and base != 0.0):
-            raise FitError(
-                "is zero at the start, so there is nothing to reduce", where=f"objective: {text}"
-            )
+            raise FitError("is zero at the start and cannot be reduced", where=f"objective: {text}")
         problem.base[text] = base
     return problem
 
@@ -290,7 +288,7 @@ def _draw_samples(
     if not (is_whole(samples) and 2 <= samples <= _MOST_SAMPLES):
         allowed = Phrase("2 to {most_samples}", most_samples=_MOST_SAMPLES)
         raise DescriptionError(
-            "not a number of samples", where="samples", found=samples, allowed=allowed
+            "invalid number of samples", where="samples", found=samples, allowed=allowed
         )
     known = rig.parameters()
     for path in spread:
@@ -310,7 +308,7 @@ def _draw_samples(
         for path, i in places.items():
             if path in columns:
                 if known[path] == 0.0:
-                    what = "a spread of a free number that is zero at the start"
+                    what = "a spread cannot apply to a free parameter that starts at zero"
                     raise DescriptionError(what, where=f"spread: {path}")
                 factor[i] = columns[path][k] / known[path]
         rigs.append(
@@ -334,7 +332,7 @@ def _build_evaluator(
         ), ()
     if not isinstance(case, Mapping):
         raise DescriptionError(
-            "not a case", where=where, found=case, allowed="a trial, road and speed, or travel"
+            "invalid case", where=where, found=case, allowed="a trial, road and speed, or travel"
         )
     if "travel" not in case:
         given = dict(case)
@@ -355,14 +353,14 @@ def _build_evaluator(
             ) from None
     rigs = [family.rig for family in families.members if isinstance(family.rig, Corner)]
     if set(case) != {"travel"} or len(rigs) < len(families):
-        raise DescriptionError("kinematics need a 3-D corner", where=where, found=dict(case))
+        raise DescriptionError("kinematic metrics need a 3-D corner", where=where, found=dict(case))
     from jounce.core.units import to_si
 
     travel = np.array([to_si(value, "m", where=where) for value in case["travel"]])
     if len(travel) < 2 or np.any(np.diff(travel) <= 0.0) or not travel[0] <= 0.0 <= travel[-1]:
         allowed = "two or more rising values around 0"
         raise DescriptionError(
-            "not a travel", where=where, found=list(case["travel"]), allowed=allowed
+            "invalid travel", where=where, found=list(case["travel"]), allowed=allowed
         )
     grid = np.union1d(np.linspace(travel[0], travel[-1], 13), [0.0]) if len(travel) == 2 else travel
     steps = np.array([_STEP * (number.upper - number.lower) for number in numbers])

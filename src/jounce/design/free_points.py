@@ -113,12 +113,14 @@ def free_numbers(numbering: Numbering, free: Sequence[FreePoint], key: str = "fr
         for paths, name, sign in groups:
             if len(paths) != size:
                 raise DescriptionError(
-                    "is tied to an entry of a different size", where=f"{where}.tied", found=name
+                    "is coupled to an entry of a different dimension",
+                    where=f"{where}.tied",
+                    found=name,
                 )
             for j, path in enumerate(paths):
                 if path in taken:
                     raise DescriptionError(
-                        "is listed twice", where=where, found=path, allowed="each number once"
+                        "is listed twice", where=where, found=path, allowed="each parameter once"
                     )
                 taken[path] = where
                 matrix[index[path], j] = sign * _mirror_sign(numbering, first[j], path)
@@ -213,7 +215,7 @@ def _direction(numbering: Numbering, entry: FreePoint, at: Array, where: str) ->
     length = float(np.linalg.norm(towards))
     if length == 0.0:
         raise DescriptionError(
-            "not a direction", where=where, found=str(along), allowed="another point"
+            "invalid direction", where=where, found=str(along), allowed="another point"
         )
     return np.asarray(towards / length)
 
@@ -245,7 +247,7 @@ def _bounds(
     ]
     if any(len(corner) != size for corner in corners):
         raise DescriptionError(
-            "not a box of this point",
+            "invalid box for this point",
             where=f"{where}.box",
             found=f"{[len(corner) for corner in corners]} numbers",
             allowed=Phrase("lower and upper corner with {size} coordinates each", size=size),

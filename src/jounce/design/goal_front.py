@@ -170,7 +170,7 @@ def design_front(  # noqa: PLR0913 - each is a choice of its own
     """
     if not _FEWEST <= points <= _MOST:
         raise DescriptionError(
-            "not a number of points",
+            "invalid number of points",
             where="points",
             found=points,
             allowed=Phrase("{fewest} to {most}", fewest=_FEWEST, most=_MOST),

@@ -163,14 +163,14 @@ def kinematic_front(
     """
     if not _FEWEST <= points <= _MOST:
         raise DescriptionError(
-            "not a number of designs",
+            "invalid number of designs",
             where="points",
             found=points,
             allowed=Phrase("{fewest} to {most}", fewest=_FEWEST, most=_MOST),
         )
     if starts < 1:
         raise DescriptionError(
-            "not a number of searches", where="starts", found=starts, allowed="1 or more"
+            "invalid number of searches", where="starts", found=starts, allowed="1 or more"
         )
     return front_of(read_task(rig, free, targets, vehicle, shapes), points, starts, seed)
 

@@ -66,14 +66,16 @@ class FreePoint(Description):
         if self.along is not None:
             if self.box is not None:
                 raise error_at(
-                    ("box",), "a line has no box", allowed="within, to either side along it"
+                    ("box",),
+                    "box does not apply to a point on a line",
+                    allowed="within, the distance to either side along the line",
                 )
             if not any(self.along) and not isinstance(self.along, str):
-                raise error_at(("along",), "not a direction", found=as_found([0, 0, 0]))
+                raise error_at(("along",), "invalid direction", found=as_found([0, 0, 0]))
             if self.point.endswith("]"):
                 raise error_at(
                     ("along",),
-                    "one coordinate moves along its axis",
+                    "a single coordinate moves only along its own axis",
                     allowed="a point with three coordinates",
                 )
         return self
@@ -124,12 +126,12 @@ class KinematicTarget(Description):
             raise error_at(
                 ("over",),
                 "a target applies at one pose or over a range",
-                found=Phrase("both at and over"),
+                found=Phrase("both at and over are given"),
             )
         if self.values is not None and self.over is None:
             raise error_at(("values",), "values describe a curve and need over")
         if self.slope and (self.over is None or self.values is not None):
-            raise error_at(("slope",), "the slope of a curve needs over, and one value")
+            raise error_at(("slope",), "the slope of a curve needs over and a single value")
         return self
 
 
@@ -186,7 +188,7 @@ class KinematicStudy(Description):
         for name in self.rigs or ():
             if not re.fullmatch(NAME, name):
                 raise error_at(
-                    ("rigs",), "not a rig name", found=name, allowed="letters, digits, _ and -"
+                    ("rigs",), "invalid rig name", found=name, allowed="letters, digits, _ and -"
                 )
         if self.rigs is None and self.vehicles is not None:
             raise error_at(
@@ -197,7 +199,7 @@ class KinematicStudy(Description):
         if self.rigs is not None and self.vehicle is not None:
             raise error_at(
                 ("vehicle",),
-                "the rig of the vehicle data is not clear",
+                "the vehicle data do not name their rig",
                 allowed="tables [vehicles.<name of a rig>]",
             )
         return self

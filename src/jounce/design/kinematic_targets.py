@@ -130,7 +130,7 @@ def _read_target(
             )
         if target.rig is None:
             raise DescriptionError(
-                "the rig of the target is missing",
+                "the target does not name its rig",
                 where=f"{where}.rig",
                 found="none",
                 allowed=", ".join(rigs),
@@ -223,7 +223,7 @@ def _right_corner(
     check_pair_of_corners(rig, right, f"{where}.right")
     if has_rack(rig) and not has_rack(right):
         raise DescriptionError(
-            "no rack moves this wheel", where=f"{where}.right", found=target.right
+            "this wheel has no steering rack", where=f"{where}.right", found=target.right
         )
     return right
 
@@ -237,7 +237,9 @@ def _read_pair(
         return None
     if along == "roll":
         raise DescriptionError(
-            "a clearance depends only on travel and rack", where=where, found="over roll"
+            "a clearance depends only on wheel travel and rack travel",
+            where=where,
+            found="over roll",
         )
     for name in named.groups():
         if name not in shapes:
@@ -262,7 +264,7 @@ def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str
         values = sweep_values(over, f"{where}.over", _UNITS[along])
         if target.slope and len(values) < 2:
             raise DescriptionError(
-                "a slope needs two poses at least", where=f"{where}.over", found=len(values)
+                "a slope needs at least two poses", where=f"{where}.over", found=len(values)
             )
     elif isinstance(target.at, dict):
         for name, value in target.at.items():
@@ -280,11 +282,13 @@ def _poses(rig: Corner, target: KinematicTarget, where: str) -> tuple[Array, str
         values = np.array([fixed[along]])
     if (along == "rack" or fixed["rack"]) and not has_rack(rig):
         raise DescriptionError(
-            "no rack moves this wheel", where=where, found=f"along the rack: {target.quantity}"
+            "this wheel has no steering rack",
+            where=where,
+            found=f"along the rack: {target.quantity}",
         )
     if along == "roll" and fixed["travel"]:
         raise DescriptionError(
-            "wheel travel cannot be set: it follows from the roll", where=f"{where}.at"
+            "wheel travel follows from the roll and cannot be set", where=f"{where}.at"
         )
     poses = np.tile([fixed[name] for name in _POSES], (len(values), 1))
     poses[:, _POSES.index(along)] = values

@@ -60,10 +60,7 @@ _LOST = (
 )
 _PART = 0.1  # share of a combination from which a variable is listed
 _MOST_OPEN = 5  # combinations listed at most
-_NO_VALUE = (
-    "Ackermann needs a rack away from straight ahead, swing arms and instant centres arms "
-    "that are not parallel."
-)
+_NO_VALUE = "Ackermann needs a steered wheel; swing-arm lengths and instant centres need arms that are not parallel."
 
 
 # results --------------------------------------------------------------------------------------------------------------
@@ -418,7 +415,7 @@ def design_kinematics(
         return _design_from_file(rig, free, targets)
     if starts < 1:
         raise DescriptionError(
-            "not a number of searches", where="starts", found=starts, allowed="1 or more"
+            "invalid number of searches", where="starts", found=starts, allowed="1 or more"
         )
     made = Spread(**spread) if isinstance(spread, Mapping) else spread
     task = replace(read_task(rig, free, targets, vehicle, shapes), spread=made)
@@ -430,7 +427,7 @@ def _design_from_file(rig: object, free: object, targets: object) -> KinematicDe
         raise DescriptionError(
             "free points or targets are missing",
             where="design_kinematics",
-            allowed="both, or a study file alone",
+            allowed="both of them, or only a study file",
         )
     return run_study(rig, lambda study, task: design(task, study.starts, study.seed))[0]
 
@@ -496,7 +493,7 @@ def read_task(
     for name in rigs if isinstance(rig, Mapping) else ():
         if not re.fullmatch(NAME, str(name)):
             raise DescriptionError(
-                "not a rig name",
+                "invalid rig name",
                 where="rig",
                 found=str(name),
                 allowed="letters, digits, _ and -",
@@ -579,7 +576,9 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
         except JounceError:
             continue
         return _result(task, moved, search, best.x, before, outcomes)
-    raise DescriptionError("no design found is a valid rig", where="free", hint="Narrow the boxes.")
+    raise DescriptionError(
+        "none of the designs found is a valid rig", where="free", hint="Narrow the boxes."
+    )
 
 
 def wanted_of(wanted: Sequence[Wanted], name: str) -> list[Wanted]:

@@ -274,7 +274,7 @@ def _read_poses(file: Path, corner: Corner) -> dict[str, Array]:
 def _starting_points(numbers: FreeNumbers, offsets: int, starts: int, seed: int) -> list[Array]:
     if starts < 1:
         raise DescriptionError(
-            "not a number of searches", where="starts", found=starts, allowed="1 or more"
+            "invalid number of searches", where="starts", found=starts, allowed="1 or more"
         )
     check_seed(seed)
     random = np.random.default_rng(seed)
@@ -311,13 +311,17 @@ class _Table:
         if "rack_travel" in given:
             self.rack = path_values(given.pop("rack_travel"), "rack_travel")
             if np.any(self.rack != 0.0) and not has_rack(rig):
-                raise DescriptionError("no rack moves this wheel", where="measured: rack_travel")
+                raise DescriptionError(
+                    "this wheel has no steering rack", where="measured: rack_travel"
+                )
         sweep, _ = path_sweep(rig, self.travel, np.broadcast_to(self.rack, self.travel.shape))
         self._sweep, self._model = sweep, sweep.model
         rows = {row.name: i for i, row in enumerate(sweep.model.rows)}
         if not given:
             raise DescriptionError(
-                "nothing was measured", where="measured", allowed="rows of the catalogue, e.g. toe"
+                "nothing was measured",
+                where="measured",
+                allowed="quantities of the catalogue, e.g. toe",
             )
         values = {}
         for name, readings in given.items():

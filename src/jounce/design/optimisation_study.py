@@ -60,7 +60,7 @@ class OptimisationStudy(Description):
         if self.shown is not None and len(self.front or ()) != _PAIR:
             raise error_at(
                 ("shown",),
-                "is an additional metric of a front of two; larger fronts show all their metrics",
+                "applies only to fronts of two metrics; larger fronts show all their metrics",
             )
         return self
 

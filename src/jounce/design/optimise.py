@@ -174,7 +174,7 @@ def search(
     """
     if not 1 <= starts <= _MOST_STARTS:
         raise FitError(
-            "not a number of searches",
+            "invalid number of searches",
             where="starts",
             found=starts,
             allowed=Phrase("1 to {most_starts}", most_starts=_MOST_STARTS),
@@ -649,7 +649,7 @@ def check_kept(problem: DesignProblem, result: SearchResult) -> None:
         found=f"{reached:.4g}{unit}",
         allowed=f"{'at most' if side == 'upper' else 'at least'} {bound:.4g}{unit}",
         hint=Phrase(
-            "The violation is smallest at {design}; loosen the limits or widen the bounds.",
+            "The violation is smallest at {design}; relax the limits or widen the bounds.",
             design=design,
         ),
     )

@@ -71,7 +71,7 @@ def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
     if words[:1] == ["mode"]:
         return _mode_metric(text, words, where)
     if not 1 <= len(words) <= 2:
-        raise DescriptionError("not a metric", where=where, found=text, allowed=_EXAMPLES)
+        raise DescriptionError("invalid metric", where=where, found=text, allowed=_EXAMPLES)
     kind, weighting = _kind(words[1] if len(words) == 2 else "rms", text, where)
     channels = tuple(channels_of(words[0], list(units)))
     if not channels:
@@ -90,7 +90,7 @@ def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
         raise error
     if kind == "coefficient" and not words[0].endswith("force"):
         raise DescriptionError(
-            "only a force has a coefficient",
+            "a coefficient is defined only for forces",
             where=where,
             found=text,
             allowed="e.g. 'tyre.force coefficient'",
@@ -508,9 +508,7 @@ def design_problem(
     for text in weights:
         base = problem.base_of(metrics[text])
         if not (np.isfinite(base) and base != 0.0):
-            raise FitError(
-                "is zero at the start, so there is nothing to reduce", where=f"objective: {text}"
-            )
+            raise FitError("is zero at the start and cannot be reduced", where=f"objective: {text}")
         problem.base[text] = base
     return problem
 
@@ -534,14 +532,14 @@ def read_weights(objective: Objective) -> dict[str, float]:
     given = {objective: 1.0} if isinstance(objective, str) else dict(objective)
     if not given:
         raise DescriptionError(
-            "no objective", where="objective", hint='Give one, e.g. {"sprung.az": 1.0}.'
+            "no objective is given", where="objective", hint='Give one, e.g. {"sprung.az": 1.0}.'
         )
     every: Mapping[str, object] = given  # callers may pass other types than annotated
     for text, number in every.items():
         is_number = isinstance(number, (int, float)) and not isinstance(number, bool)
         if not (is_number and np.isfinite(given[text]) and given[text] > 0.0):
             raise DescriptionError(
-                "not a weight", where=f"objective: {text}", found=number, allowed="above 0"
+                "invalid weight", where=f"objective: {text}", found=number, allowed="above 0"
             )
     return {text: float(weight) for text, weight in given.items()}
 
@@ -552,7 +550,10 @@ def read_limit(metric: Metric, given: LimitGiven) -> Limit:
     if isinstance(given, (tuple, list)):
         if len(given) != 2:
             raise DescriptionError(
-                "not limits", where=where, found=list(given), allowed="a value, or (lower, upper)"
+                "invalid limits",
+                where=where,
+                found=list(given),
+                allowed="a value, or (lower, upper)",
             )
         lower, upper = (
             None if side is None else to_si(side, metric.unit, where=where) for side in given

@@ -197,7 +197,7 @@ def spread_of(
         settings.append(lengths)
     if not made:
         raise DescriptionError(
-            "no car can be assembled", where="spread", hint="Make its tolerances smaller."
+            "no car of the spread can be assembled", where="spread", hint="Reduce the tolerances."
         )
     return _describe_spread(
         workshop, drawn, np.array(made), np.array(settled), np.array(settings), failed
@@ -254,7 +254,9 @@ class Workshop:
         self.sizes = np.array(sizes) / _DEVIATIONS
         if not np.any(self.sizes > 0.0):
             raise DescriptionError(
-                "nothing deviates", where="spread", allowed="points, links or exact above 0 mm"
+                "the spread contains no deviation",
+                where="spread",
+                allowed="points, links or exact above 0 mm",
             )
 
     def _adjusters(self) -> None:

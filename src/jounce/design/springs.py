@@ -50,7 +50,7 @@ class WheelCarriage:
         """Return the quarter car of this wheel for parameter values (SI) of its rig."""
         if self.unsprung_mass is None or self.tyre_stiffness is None:
             raise DescriptionError(
-                "best dampers need a wheel with a mass on a tyre of constant stiffness",
+                "the best damping needs a wheel mass and a constant tyre stiffness",
                 where=self.place or "tyre",
                 hint="Give unsprung masses and tyres: a quarter car, a half-car-4dof or a full car.",
             )

@@ -131,7 +131,7 @@ def write_chrono(
     wheel_mass = to_si(wheel_mass, "kg", where="wheel_mass")
     if wheel_mass < 0.0:
         raise DescriptionError(
-            "not a mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more"
+            "invalid mass", where="wheel_mass", found=wheel_mass, allowed="0 kg or more"
         )
     writing = _ChronoWriter(_left_corner(as_rig(rig)), wheel_mass)
     table = writing.table()
@@ -468,7 +468,7 @@ def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> Ri
     mass = whole.mass - part.mass
     if mass <= 0.0:
         raise OutputError(
-            "more than the mass of the body",
+            "more than the whole mass of the body",
             where="wheel_mass",
             found=f"{part.mass:g} kg",
             allowed=Phrase("below {mass:g} kg", mass=whole.mass),
@@ -482,9 +482,9 @@ def _less(whole: RigidBody, part: RigidBody, *, with_inertia: bool = True) -> Ri
     moments = np.linalg.eigvalsh(tensor)
     if moments[0] <= 0.0 or moments[2] > (moments[0] + moments[1]) * (1.0 + 1e-6):
         raise OutputError(
-            "the rest of the body has an impossible inertia",
+            "the remaining body has an impossible inertia",
             where="wheel_mass",
             found=f"{part.mass:g} kg of {whole.mass:g} kg",
-            hint="Reduce it.",
+            hint="Reduce the wheel mass.",
         )
     return _body(mass, centre, tensor)

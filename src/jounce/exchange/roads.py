@@ -145,8 +145,8 @@ def write_road(
     count = round(length / step) + 1
     if not 2 <= count <= _MOST:
         raise DescriptionError(
-            "not a number of points", where="step", found=f"{count} points", allowed=Phrase("2 to {most}", most=_MOST),
-            hint="Change the step or the length.",
+            "invalid number of points", where="step", found=f"{count} points",
+            allowed=Phrase("2 to {most}", most=_MOST), hint="Change the step or the length.",
         )  # fmt: skip
     x = step * np.arange(count)
     height = road.height_at(np.minimum(x, known))

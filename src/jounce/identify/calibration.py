@@ -145,7 +145,7 @@ def fit_calibration(
     for what, values in (("equal reference values", x), ("a constant reading", y)):
         if np.ptp(values) == 0.0:
             raise FitError(
-                Phrase("{what} do not determine a sensitivity", what=what) if values is x else what,
+                Phrase("{what} cannot determine a sensitivity", what=what) if values is x else what,
                 where=name,
                 found=f"{values[0]:g}",
                 hint="Calibrate with at least two reference values that are far apart.",

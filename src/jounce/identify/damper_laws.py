@@ -203,7 +203,7 @@ def _law_of_rig_files(name: str, motion: DamperMotion) -> FittedLaw:
 def _polynomial(motion: DamperMotion, degree: int, odd: bool) -> FittedLaw:
     """Make a polynomial in the velocity, which a rig file stores as a table over the recorded velocity range."""
     if not 1 <= degree <= 9:
-        raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
+        raise FitError("invalid degree of the polynomial", found=degree, allowed="1 to 9")
     powers = [p for p in range(1, degree + 1) if p % 2 or not odd]
 
     def table(values: Mapping[str, float]) -> dict[str, Any]:

@@ -168,7 +168,10 @@ def _half_period(time: Array, turns: list[int]) -> float:
             "no oscillation to evaluate",
             found="no turning point after the release",
             allowed="at least 1",
-            hint="Damping near critical, friction that stops the first swing, or not a free decay.",
+            hint=(
+                "Possible causes: damping near critical, friction that stops the first oscillation, or a "
+                "record that is not a free decay."
+            ),
         )
     gaps = np.diff(time[turns])
     return float(np.median(gaps[1:] if len(gaps) > 1 else gaps))
@@ -369,7 +372,7 @@ def _fit(
         raise FitError(
             "the record contains no free decay that can be fitted",
             found=f"{len(t)} samples between turning points",
-            hint="Choose the part with a time window (from, to).",
+            hint="Select the section with a time window (from, to).",
         )
     thin = _sample_step(t, starts[0])
     if len(starts) > 1 and thin > 1:  # the starts are compared on a part of the samples
@@ -1163,7 +1166,7 @@ def _inertia(
     if stated is None:
         raise FitError(
             Phrase(
-                "no {inertia_word} given: a decay determines only ratios to it",
+                "the {inertia_word} is not given, and a decay determines only ratios to it",
                 inertia_word=Phrase(motion.inertia_word),
             ),
             where=name,
@@ -1186,8 +1189,8 @@ def _inertia(
 
 
 _SWINGS = {
-    "mass": "a record of this quantity requires a mass",
-    "inertia": "a record of this quantity requires an inertia",
+    "mass": "a record of this quantity needs the mass of the oscillating body",
+    "inertia": "a record of this quantity needs the inertia of the oscillating body",
 }
 
 

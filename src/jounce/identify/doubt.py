@@ -116,5 +116,5 @@ def doubts_of(given: Doubt | Mapping[str, Any]) -> Doubt:
         return given
     if not isinstance(given, Mapping):
         allowed = 'jn.Doubt() or a table such as {"gain": "2 %"}'
-        raise DescriptionError("not an uncertainty", where="doubt", found=given, allowed=allowed)
+        raise DescriptionError("invalid uncertainty", where="doubt", found=given, allowed=allowed)
     return Doubt.from_table(dict(given), where="doubt")

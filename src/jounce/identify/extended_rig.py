@@ -399,7 +399,7 @@ def own_doubt(rig: Rig, path: str, given: object, where: str) -> float:
         )
     if share < 0.0:
         raise DescriptionError(
-            "an uncertainty below zero", where=place, found=given, allowed="0 or more"
+            "a negative uncertainty", where=place, found=given, allowed="0 or more"
         )
     return share
 

@@ -666,7 +666,7 @@ def _check_channels(
     for name, weight in given.items():
         if not (np.isfinite(weight) and weight >= 0.0):
             raise FitError(
-                "not a weight", where=f"weights: {name}", found=weight, allowed="0 or more"
+                "invalid weight", where=f"weights: {name}", found=weight, allowed="0 or more"
             )
 
 
@@ -769,7 +769,7 @@ def _range(bounds: Bounds, initial: float, unit: str, place: str) -> tuple[float
         )
     if initial == 0.0:
         raise FitError(
-            "a relative range of a zero start value",
+            "a relative range needs a nonzero start value",
             where=place,
             allowed="[lower, upper] with units",
         )
@@ -780,7 +780,7 @@ def _range(bounds: Bounds, initial: float, unit: str, place: str) -> tuple[float
 def _absolute(bounds: object, unit: str, place: str) -> tuple[float, float]:
     if not isinstance(bounds, Sequence) or len(bounds) != 2:
         raise FitError(
-            "not a pair of bounds", where=place, found=bounds, allowed='"10 %" or [lower, upper]'
+            "invalid pair of bounds", where=place, found=bounds, allowed='"10 %" or [lower, upper]'
         )
     lower, upper = (to_si(value, unit, where=place) for value in bounds)
     if lower >= upper:

@@ -60,7 +60,7 @@ def bouc_wen_path(
     path = as_samples(displacement, "m", where="displacement", error=DescriptionError)
     if path.ndim != 1 or not np.all(np.isfinite(path)):
         raise DescriptionError(
-            "not a path",
+            "invalid path",
             where="displacement",
             found=f"shape {path.shape}",
             allowed="finite numbers of shape (n,)",

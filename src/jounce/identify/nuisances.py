@@ -147,7 +147,10 @@ def _starts_of(given: Any, trials: Sequence[FitTrial], place: str) -> list[Searc
     largest = to_si(given, "m", where=place)
     if largest <= 0.0:
         raise FitError(
-            "not an amplitude", where=place, found=given, allowed='a length above zero, e.g. "2 mm"'
+            "invalid amplitude",
+            where=place,
+            found=given,
+            allowed='a length above zero, e.g. "2 mm"',
         )
     starts = []
     for trial in filter(begins_unknown, trials):
@@ -208,7 +211,7 @@ def nuisances_of(
             )
         if not isinstance(bounds, Sequence) or isinstance(bounds, str) or len(bounds) != 2:
             raise FitError(
-                "not a pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]'
+                "invalid pair of bounds", where=place, found=bounds, allowed='["20 Hz", "400 Hz"]'
             )
         low, high = (to_si(value, "Hz", where=place) for value in bounds)
         high = min(high, FASTEST * rate)
@@ -219,7 +222,10 @@ def nuisances_of(
                 second_fastest=FASTEST,
             )
             raise FitError(
-                "no corners between the bounds", where=place, found=list(bounds), allowed=allowed
+                "no corner frequencies between the bounds",
+                where=place,
+                found=list(bounds),
+                allowed=allowed,
             )
         nuisances.append(
             SearchedNuisance(
@@ -235,12 +241,12 @@ def _speeds(bounds: Any, speed: float, place: str) -> tuple[float, float]:
         share = to_si(bounds, "1", where=place)
         if not 0.0 < share < 1.0:
             raise FitError(
-                "not a share of the speed", where=place, found=bounds, allowed='e.g. "5 %"'
+                "invalid share of the speed", where=place, found=bounds, allowed='e.g. "5 %"'
             )
         return speed * (1.0 - share), speed * (1.0 + share)
     if not isinstance(bounds, Sequence) or len(bounds) != 2:
         raise FitError(
-            "not a range of speeds", where=place, found=bounds, allowed='"5 %" or [lower, upper]'
+            "invalid range of speeds", where=place, found=bounds, allowed='"5 %" or [lower, upper]'
         )
     lower, upper = (to_si(value, "m/s", where=place) for value in bounds)
     if not 0.0 < lower < speed < upper:

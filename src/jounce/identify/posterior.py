@@ -374,7 +374,7 @@ def posterior_with(
     density, basis, update = at.density, at.basis, at.update
     chosen = basis.trials if predict is None else with_datums(predict, settings.channels)[0]
     limits = basis.free
-    progress(Phrase("{name}: the density around the estimate", name=name))
+    progress(Phrase("{name}: evaluating the density around the estimate", name=name))
     table = fit_log_density(density, density.region, seed)
     progress(Phrase("{name}: {draws} draws", name=name, draws=draws))
     units = {item.path: result_unit_of(basis.trials[0].rig, item.path) for item in limits}
@@ -507,10 +507,10 @@ def _check_names(trials: Sequence[FitTrial], where: str) -> None:
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise FitError(
-            "two trials with the same name",
+            "two trials have the same name",
             where=where,
             found=twice,
-            hint="Give each its own name.",
+            hint="Give each trial its own name.",
         )
 
 

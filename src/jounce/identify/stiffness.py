@@ -462,7 +462,7 @@ def fit_stiffness(
         operating_force = as_number(operating_force, motion.force, where="operating_force")
     if operating_force is not None and not (np.isfinite(operating_force) and operating_force > 0.0):
         raise FitError(
-            Phrase("not a static {force_word}", force_word=Phrase(motion.force_word)),
+            Phrase("invalid static {force_word}", force_word=Phrase(motion.force_word)),
             where="operating_force",
             found=f"{operating_force} {unit_in_words(motion.force)}",
             allowed="above 0",
@@ -573,7 +573,7 @@ def _check(
         if value not in options:
             raise unknown(str(value), options, what=what)
     if law == "polynomial" and not 1 <= degree <= 9:
-        raise FitError("unusable degree of the polynomial", found=degree, allowed="1 to 9")
+        raise FitError("invalid degree of the polynomial", found=degree, allowed="1 to 9")
     if not (np.isfinite(discard_below) and discard_below >= 0.0):
         raise FitError(
             Phrase(
@@ -621,7 +621,7 @@ def _points_to_fit(
         )
     if float(trial.deflection.max()) <= _AT_ZERO * float(np.ptp(trial.deflection)):
         raise FitError(
-            "the trial ends at its zero instead of beginning there",
+            "the trial ends at zero deflection instead of beginning there",
             where=trial.name,
             found=f"from {trial.motion.say(float(trial.deflection[0]), 4)} and {float(trial.force[0]):.4g} "
             f"{unit_in_words(trial.motion.force)} on",
@@ -919,7 +919,7 @@ class PressureStiffness(Shown):
         """
         if not (math.isfinite(pressure) and pressure > 0.0):
             raise FitError(
-                "not an inflation pressure", found=f"{pressure} Pa", allowed="above 0 Pa"
+                "invalid inflation pressure", found=f"{pressure} Pa", allowed="above 0 Pa"
             )
         p = np.array(self.pressures)
         findings = []
@@ -970,14 +970,14 @@ def stiffness_against_pressure(points: Sequence[tuple[float, Estimate]]) -> Pres
     (0.21113, 0.446, 132134)
     """
     if not points:
-        raise FitError("no stiffness at any pressure", allowed="at least one pressure")
+        raise FitError("no stiffness is given at any pressure", allowed="at least one pressure")
     ordered = sorted(points, key=lambda point: point[0])
     p, k = (
         np.array([point[0] for point in ordered]),
         np.array([point[1].value for point in ordered]),
     )
     if not (np.all(np.isfinite(p)) and p[0] > 0.0):
-        raise FitError("not an inflation pressure", found=f"{p[0]} Pa", allowed="above 0 Pa")
+        raise FitError("invalid inflation pressure", found=f"{p[0]} Pa", allowed="above 0 Pa")
     if np.any(np.diff(p) == 0.0):
         raise FitError(
             "a pressure is given twice",

@@ -47,7 +47,7 @@ def averaged_trial(trial: FitTrial, passages: Passages) -> FitTrial:
     """Return the trial with the averaged loop as its record, on a belt running at the speed of the passages."""
     road = trial.trial.road
     if passages.loop is None or road is None or road.recurrence is None:
-        raise FitError("no loop of a belt was found", where=trial.name)
+        raise FitError("no complete loop of the belt was found", where=trial.name)
     driven, begin = running_trial(trial.rig, road, passages.speed)
     loop = passages.loop.assign_coords(
         time=("time", passages.loop["time"].to_numpy() + begin, {"units": "s"})

@@ -391,7 +391,7 @@ def run_update(
     ranges, priors = bounds_and_priors(trials[0].rig_without, free, name)
     if priors and doubt is None:
         raise FitError(
-            "a prior needs doubt",
+            "a prior requires doubt",
             where=f"{name}: {next(iter(priors))}",
             hint="Give doubt, e.g. doubt = jn.Doubt(), or leave out the prior.",
         )
@@ -664,7 +664,7 @@ def bounds_and_priors(
             )
             if deviation <= 0.0:
                 raise FitError(
-                    "not a standard deviation",
+                    "invalid standard deviation",
                     where=where,
                     found=given["prior"][1],
                     allowed="above 0",

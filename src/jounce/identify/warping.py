@@ -52,7 +52,7 @@ def warping_path(
     if x.shape != backwards.shape or x.ndim != 1 or x.size == 0:
         raise ValueError(
             Phrase(
-                "two signals of the same length are needed, got shapes {shape} and {second_shape}",
+                "two signals of the same length are required, but the shapes are {shape} and {second_shape}",
                 shape=x.shape,
                 second_shape=backwards.shape,
             )

@@ -287,7 +287,7 @@ def compare_tests(
     chosen = tuple(usual_factors() if factors is None else factors)
     if not shares.size:
         raise DescriptionError(
-            "nothing to test", where="wear", allowed="shares of the damper that are lost, 0 to 1"
+            "no wear is given", where="wear", allowed="lost shares of the damping, 0 to 1"
         )
     used = limits or load_limits()
     places = [(factor, j) for factor in chosen for j in range(len(factor.values))]

@@ -639,7 +639,7 @@ def _check_pair(first: GradedInspection, second: GradedInspection) -> None:
             "two records of the same axle",
             where="axle",
             found=first.axle,
-            allowed="one of each axle",
+            allowed="one per axle",
         )
     if first.limits.digest != second.limits.digest:
         raise RecordingError("the axles were graded by different limits", where="limits")

@@ -141,7 +141,7 @@ class Criterion(Description):
             )
             raise error_at(
                 ("bands", i),
-                Phrase("{text}; each band must begin where the one before it ends", text=text),
+                Phrase("{text}; each band must begin where the previous one ends", text=text),
             )
         return self
 

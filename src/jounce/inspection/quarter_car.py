@@ -318,7 +318,9 @@ def fit_response(
     bins = sum(stretch.s.size for stretch in stretches)
     if bins < _FEWEST_BINS:
         raise FitError(
-            "too little signal to fit a quarter car to", where=where, found=f"{bins} spectral lines"
+            "the signal is too small to fit a quarter car",
+            where=where,
+            found=f"{bins} spectral lines",
         )
     mass = static_load / GRAVITY
     scale = 1.0 / math.sqrt(sum(stretch.samples for stretch in stretches) / len(stretches))

@@ -108,8 +108,8 @@ _SENTENCES = {
         "Die Bodenhaftung sinkt mit der Reifensteifigkeit (hier {rigidity} N/mm), andere Werte weniger.",
     ),
     "limits_differ": Sentence(
-        "the limits of EGEA and THETA do not correspond to the same damping: on a car of usual size a phase angle of 35° "
-        "is a damping ratio of about 0.10, and a fast sweep or a soft tyre shifts it.",
+        "the limits of EGEA and THETA do not correspond to the same damping: on a car of usual size a phase angle "
+        "of 35° is a damping ratio of about 0.10, and a fast sweep or a soft tyre shifts it.",
         "Die Grenzwerte von EGEA und THETA meinen nicht dieselbe Dämpfung: Bei einem üblichen Wagen entsprechen 35° "
         "einem Dämpfungsgrad von etwa 0,10; ein schneller Auslauf oder ein weicher Reifen verschieben das.",
     ),

@@ -200,7 +200,7 @@ def _text(value: object, where: str) -> str:
     text = str(plain) if is_number or isinstance(plain, str) else None
     if text is None or len(text) > _LONGEST_TEXT or "\0" in text:
         allowed = Phrase(
-            "text of at most {longest_text} characters, a date", longest_text=_LONGEST_TEXT
+            "text of at most {longest_text} characters, or a date", longest_text=_LONGEST_TEXT
         )
         raise DescriptionError("not a text", where=where, found=value, allowed=allowed)
     return text
@@ -330,7 +330,7 @@ def wheels_of(record: xr.Dataset, *, where: str = "record") -> tuple[str, ...]:
     sides = tuple(side for side in SIDES if f"{side}.{FORCE}" in names)
     if not sides:
         raise RecordingError(
-            "no plate force of any wheel",
+            "the record has no plate force",
             where=where,
             found=", ".join(names) or "no channel",
             allowed="left.plate.force and right.plate.force, or one of them",

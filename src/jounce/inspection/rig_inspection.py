@@ -124,7 +124,7 @@ def _of_tester(
 def check_record(*, out: Path | None, steady: bool, wear: str | None, **_: Any) -> None:
     """Raise an error for an output file unless the test yields exactly one record."""
     if out is not None and (steady or _is_range(wear)):
-        what = "steady states have no record" if steady else "a record holds a single test"
+        what = "steady states have no record" if steady else "a record file holds only one test"
         raise OutputError(
             what, where=f"--out {out}", hint="Leave out --steady, and give a single --wear."
         )

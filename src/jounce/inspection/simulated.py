@@ -213,7 +213,7 @@ def simulate_axle(
     stood = on_plates(rig, axle)
     if not isinstance(stood, FrontViewAxle):
         raise SimulationError(
-            "one wheel stands on one plate",
+            "a single wheel stands on one plate only",
             where="wheel",
             found="both",
             allowed="left, right; or an axle of a vehicle",

@@ -267,7 +267,7 @@ def _require_numba() -> None:
         raise MissingPackageError(
             "the loops of these sources are not built, and numba is not installed",
             where=str(root),
-            hint="Run: make loops",
+            hint="Run `make loops`.",
         ) from None
 
 

@@ -109,11 +109,11 @@ def processor() -> str:
         return str(llvm.get_host_cpu_name())
     if level not in levels():
         raise SimulationError(
-            "code cannot be made for this level of processors",
+            "code cannot be generated for this processor level",
             where="JOUNCE_PROCESSOR",
             found=level,
-            allowed=", ".join(levels()) or "nothing: this processor is no x86-64",
-            hint="Unset it: code is then made for the processor that is there.",
+            allowed=", ".join(levels()) or "none: this processor is not x86-64",
+            hint="Unset it, so that code is generated for the processor of this machine.",
         )
     return level
 

@@ -86,7 +86,7 @@ def _preload(rig: Corner) -> float:
         raise DescriptionError(
             "a spring curve has no single preload",
             where="strut.spring",
-            hint="Set its free_length.",
+            hint="Set the free_length of the spring.",
         )
     return spring.rate * (spring.free_length - rig.hardpoints.length("spring"))
 

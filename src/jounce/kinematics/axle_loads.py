@@ -79,7 +79,7 @@ def named_cases(
         name = name.strip()
         if not (colon and name and rest.strip()):
             raise DescriptionError(
-                "not a load case",
+                "invalid load case",
                 where="--case",
                 found=text,
                 allowed=Phrase("NAME: NAME=G, e.g. {case}", case=_CASE),

@@ -125,7 +125,7 @@ def sweep_axle(
         raise DescriptionError(
             "a rack travel and a handwheel angle are both given",
             where="handwheel",
-            hint="Give one.",
+            hint="Give only one of them.",
         )
     check_roll(read.get("roll", np.zeros(1)), "roll")
     check_roll(read.get("pitch", np.zeros(1)), "pitch")

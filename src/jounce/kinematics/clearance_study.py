@@ -103,7 +103,7 @@ def named_pairs(
         name, bodies = name.strip(), rest.split(",")
         if not (colon and name) or len(bodies) != 2:
             raise DescriptionError(
-                "not two bodies", where="--between", found=text, allowed=_ALLOWED
+                "two different bodies are required", where="--between", found=text, allowed=_ALLOWED
             )
         if name in named:
             raise DescriptionError(

@@ -170,7 +170,7 @@ def check_pair(rig: Corner, pair: Sequence[Shape], where: str) -> None:
     given = rig.hardpoints.given()
     if len(pair) != 2 or all(isinstance(shape, Rim) for shape in pair):
         raise DescriptionError(
-            "not a pair of bodies", where=where, allowed="two bars, or a bar and a rim"
+            "invalid pair of bodies", where=where, allowed="two bars, or a bar and a rim"
         )
     for shape in pair:
         for point in shape.points if isinstance(shape, Solid) else ():

@@ -147,7 +147,7 @@ def check_rack(rig: Corner, allowed: str = "a corner with a tie rod") -> None:
     if not has_rack(rig):
         model = f'model = "{getattr(rig, "model", "")}"'
         raise DescriptionError(
-            "no rack moves this wheel", where="rack travel", found=model, allowed=allowed
+            "this wheel has no steering rack", where="rack travel", found=model, allowed=allowed
         )
 
 

@@ -56,7 +56,7 @@ def both_loads(
 def _load(given: dict[str, str], option: str) -> ContactLoad:
     if not given:
         raise DescriptionError(
-            "no load from the road",
+            "no load from the road is given",
             where=option,
             allowed=Phrase("--load {load}, or --left and --right", load=_LOAD),
         )

@@ -59,7 +59,7 @@ def text_range(text: str, unit: str, where: str) -> Array:
     parts = [part.strip() for part in text.split(":")]
     if len(parts) not in (1, 3) or not all(parts):
         raise DescriptionError(
-            "not a range", where=where, found=text, allowed='"first:last:step", or one value'
+            "invalid range", where=where, found=text, allowed='"first:last:step", or one value'
         )
     numbers = [_quantity(part, unit, where) for part in parts]
     if len(numbers) == 1:
@@ -67,13 +67,13 @@ def text_range(text: str, unit: str, where: str) -> Array:
         return np.array(numbers)
     first, last, step = numbers
     if step == 0.0 or last == first:
-        wrong = "not a step" if step == 0.0 else "the range is empty"
+        wrong = "invalid step" if step == 0.0 else "the range is empty"
         raise DescriptionError(
             wrong, where=where, found=text, allowed="first:last:step, or one value"
         )
     if (last - first) * step < 0.0:
         raise DescriptionError(
-            "the step leads away from the last value",
+            "the sign of the step does not lead from the first to the last value",
             where=where,
             found=text,
             allowed="a step above 0 where the values ascend, below 0 where they descend",

@@ -258,7 +258,9 @@ def _sweep_wheel(
     if travel is None:
         if steered is None:
             example = '--travel "-80 mm:80 mm:4 mm", --rack or --roll'
-            raise DescriptionError("nothing to sweep", where="jounce kinematics", allowed=example)
+            raise DescriptionError(
+                "nothing to sweep is given", where="jounce kinematics", allowed=example
+            )
         return sweep_rack(rig, steered, vehicle=vehicle, points=points)
     lifted = sweep_values(travel, "travel")
     if steered is not None and len(steered) > 1 and len(lifted) == 1:
@@ -290,7 +292,7 @@ def _sweep_poses(
     if not names & units.keys() or (of_axle and "travel" in names):
         allowed = f"columns {', '.join(OF_WHEEL)} of a wheel, or {', '.join(OF_AXLE)} of an axle"
         raise DescriptionError(
-            "no poses of a wheel or of an axle",
+            "the poses are neither those of a wheel nor of an axle",
             where=str(file),
             found=", ".join(table.names),
             allowed=allowed,
@@ -313,13 +315,15 @@ def _sweep_axle(
     if roll is None:
         if rack is None:
             raise DescriptionError(
-                "nothing to sweep", where="axle", allowed='--rack "-20 mm:20 mm:5 mm", or --roll'
+                "nothing to sweep is given",
+                where="axle",
+                allowed='--rack "-20 mm:20 mm:5 mm", or --roll',
             )
         lifted = 0.0 if travel is None else _single(travel, "travel", "with --axle")
         return sweep_steering(rig, sweep_values(rack, "rack"), lifted, vehicle=vehicle)
     if travel is not None:
         raise DescriptionError(
-            "wheel travel cannot be set: it follows from the roll angle",
+            "wheel travel follows from the roll angle and cannot be set",
             where="travel",
             hint="Leave out --travel or --roll.",
         )

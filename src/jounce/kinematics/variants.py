@@ -94,7 +94,7 @@ def sweep_variants(
     corner = check_corner(rig)
     if roll is not None and (travel is not None or axle):
         raise DescriptionError(
-            "wheel travel cannot be set: it follows from the roll angle",
+            "wheel travel follows from the roll angle and cannot be set",
             where="roll",
             hint="Leave out the others.",
         )
@@ -163,7 +163,7 @@ def _of_axle(
         check_rack(rig)
         if steered is None:
             raise DescriptionError(
-                "nothing to sweep", where="rack", allowed='"-20 mm:20 mm:5 mm", or roll'
+                "nothing to sweep is given", where="rack", allowed='"-20 mm:20 mm:5 mm", or roll'
             )
         at = steered
     else:
@@ -258,7 +258,7 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
     changes = by_path(changes)
     if not changes:
         raise DescriptionError(
-            "no variants", where="changes", allowed="path of a parameter to its values"
+            "no variants", where="changes", allowed="the path of a parameter and its values"
         )
     known = rig.parameters()
     columns: dict[str, Array] = {}

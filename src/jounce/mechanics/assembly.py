@@ -189,7 +189,7 @@ def _normalise(model: Model, x: Array) -> None:
                 "no orientation",
                 where=joint,
                 found="a quaternion of zeros",
-                allowed="e0 to e3 of it",
+                allowed="e0 to e3 of the orientation",
             )
         x[i : i + 4] /= length
 
@@ -351,7 +351,7 @@ def _open(model: Model, value: Array) -> AssemblyError:
         "the mechanism cannot be assembled",
         where=", ".join(joints),
         found=", ".join(shown),
-        allowed="all loops closed",
+        allowed="closed loops",
         hint="Check the positions of these joints, or give coordinates closer to the desired pose.",
     )
 
@@ -416,7 +416,10 @@ def _explain(evaluator: Evaluator, pose: Array, groups: _Groups) -> None:
         "redundant joints: their constraints are dependent",
         where="; ".join(joints),
         found=f"{_count(groups, 'superfluous equation')} ({listed}){place}",
-        hint='Replace one by a joint with more freedom (a spherical joint for a hinge), or set redundant="remove".',
+        hint=(
+            "Replace one of them by a joint with more freedom (a spherical joint for a revolute "
+            'joint), or set redundant="remove".'
+        ),
     )
 
 
@@ -425,7 +428,7 @@ def _singular(groups: _Groups) -> AssemblyError:
         "the mechanism is in a singular configuration: its loops do not determine its further motion",
         where="; ".join(_joints_of(groups)),
         found=f"{_count(groups, 'equation')} that repeat others in this pose only",
-        hint="Start away from the pose in which its links are collinear.",
+        hint="Start away from the pose in which the links are collinear.",
     )
 
 

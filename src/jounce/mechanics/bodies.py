@@ -142,7 +142,9 @@ class Body:
         """Frame of the body, with the origin at its joint."""
         if not self.is_placed:
             raise AssemblyError(
-                "the body has no joint yet", where=self.name, hint="Give its joint first."
+                "the body has no joint yet",
+                where=self.name,
+                hint="Give the joint of this body first.",
             )
         return self.poses.frames[self.name]
 
@@ -183,16 +185,16 @@ def tensor_elements(
     if elements.shape == (3, 3):
         tensor = np.array([[to_si(part, "kg*m^2", where=path) for part in row] for row in elements])
         if not np.allclose(tensor, tensor.T, rtol=1e-9, atol=1e-12 * float(np.max(np.abs(tensor)))):
-            raise AssemblyError("not a tensor of inertia", where=path, found="not symmetric")
+            raise AssemblyError("invalid inertia tensor", where=path, found="not symmetric")
         elements = np.array(
             [tensor[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
         )
     if elements.shape not in ((3,), (6,)):
         count, allowed = (
             f"{elements.size} numbers",
-            "xx, yy, zz, or also xy, xz, yz, or a symmetric (3, 3) tensor",
+            "xx, yy, zz, optionally xy, xz, yz, or a symmetric (3, 3) tensor",
         )
-        raise AssemblyError("not a tensor of inertia", where=path, found=count, allowed=allowed)
+        raise AssemblyError("invalid inertia tensor", where=path, found=count, allowed=allowed)
     return [*elements, *[0.0] * (6 - len(elements))]
 
 

@@ -24,7 +24,7 @@ def check_name(name: object, where: str = "") -> str:
     )
     text = name if isinstance(name, str) else type(name).__name__
     raise AssemblyError(
-        "not a name",
+        "invalid name",
         where=where,
         found=text,
         allowed="text without leading or trailing blanks",
@@ -58,7 +58,10 @@ def vector_of(value: object, where: str, unit: str = "m") -> ca.SX:
     vector = expression_of(value, where, unit)
     if vector.shape != (3, 1):
         raise AssemblyError(
-            "not a vector", where=where, found=f"{vector.numel()} numbers", allowed="three: x, y, z"
+            "invalid vector",
+            where=where,
+            found=f"{vector.numel()} numbers",
+            allowed="three: x, y, z",
         )
     return vector
 

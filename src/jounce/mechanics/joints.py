@@ -241,7 +241,7 @@ class Screw(Joint):
         """Refuse a pitch of zero."""
         super().check(known)
         if known("pitch") == 0.0:
-            hint = "Without pitch it is a revolute joint; a negative one is a left-hand thread."
+            hint = "Without pitch, use a revolute joint; a negative pitch is a left-hand thread."
             raise AssemblyError(
                 "a screw without pitch", where=self.name, found="0 m a turn", hint=hint
             )

@@ -283,15 +283,18 @@ class Stop(OnCoordinate):
         super().check(known)
         if self.lower is None and self.upper is None:
             raise AssemblyError(
-                "a stop without limits", where=self.name, hint="Give lower, upper, or both."
+                "a travel stop without limits", where=self.name, hint="Give lower, upper, or both."
             )
         if self.lower is not None and self.upper is not None and known("lower") > known("upper"):
             limits, allowed = (
                 f"{known('lower'):g} to {known('upper'):g} {self.length}",
-                "lower at most upper",
+                "lower not above upper",
             )
             raise AssemblyError(
-                "the limits of a stop are crossed", where=self.name, found=limits, allowed=allowed
+                "the lower limit of the stop is above the upper one",
+                where=self.name,
+                found=limits,
+                allowed=allowed,
             )
 
     def action(self, system: System) -> Action:

@@ -152,7 +152,7 @@ def tube(
     inner = to_si(inner_radius, "m", where="inner radius")
     if not 0.0 <= inner < outer:
         raise AssemblyError(
-            "not an inner radius",
+            "invalid inner radius",
             found=f"{inner:g} m",
             allowed=Phrase("0 to below {outer:g} m", outer=outer),
         )
@@ -218,7 +218,7 @@ def _read(trimesh: ModuleType, file: Path) -> Any:
     except Exception as error:  # readers of the various formats raise arbitrary exceptions
         hint = "Use STL, OBJ or PLY."
         raise AssemblyError(
-            "not a surface that can be read", where=str(file), found=str(error), hint=hint
+            "the surface cannot be read", where=str(file), found=str(error), hint=hint
         ) from error
     if not isinstance(result, trimesh.Trimesh) or not len(result.faces):
         raise AssemblyError("no surface in the file", where=str(file), found="no faces")
@@ -263,7 +263,7 @@ def check_inertia(name: str, mass: float, inertia: Array) -> None:
         If either is invalid; the message contains the principal moments.
     """
     if not (np.isfinite(mass) and mass > 0.0):
-        raise AssemblyError("not a mass", where=name, found=f"{mass:g} kg", allowed="above 0 kg")
+        raise AssemblyError("invalid mass", where=name, found=f"{mass:g} kg", allowed="above 0 kg")
     moments = np.linalg.eigvalsh(inertia)
     slack = _TRIANGLE * max(moments[2], 1e-300)
     if (
@@ -285,7 +285,7 @@ def _positive(value: Number, unit: str, what: str) -> float:
     number = to_si(value, unit, where=what)
     if not number > 0.0:
         raise AssemblyError(
-            Phrase("not a {what}", what=what), found=f"{number:g} {unit}", allowed="above 0"
+            Phrase("invalid {what}", what=what), found=f"{number:g} {unit}", allowed="above 0"
         )
     return number
 
@@ -293,7 +293,7 @@ def _positive(value: Number, unit: str, what: str) -> float:
 def _three(values: Sequence[Number], what: str) -> Sequence[Number]:
     if len(values) != 3:
         raise AssemblyError(
-            "not a vector", where=what, found=f"{len(values)} numbers", allowed="three: x, y, z"
+            "invalid vector", where=what, found=f"{len(values)} numbers", allowed="three: x, y, z"
         )
     return values
 

@@ -117,7 +117,7 @@ class Mechanism(Structure):
         )
         if shape != (3, 1):
             raise AssemblyError(
-                "not a vector", where=path, found=f"{shape[0]} numbers", allowed="three: x, y, z"
+                "invalid vector", where=path, found=f"{shape[0]} numbers", allowed="three: x, y, z"
             )
         if isinstance(value, ca.SX):
             return self.poses.require_still(value, path)
@@ -205,7 +205,7 @@ class Mechanism(Structure):
             if inertia.shape != (3, 3):
                 shape, allowed = f"shape {inertia.shape}", "a symmetric (3, 3) tensor"
                 raise AssemblyError(
-                    "not a tensor of inertia", where=path, found=shape, allowed=allowed
+                    "invalid inertia tensor", where=path, found=shape, allowed=allowed
                 )
             return self.poses.require_still(inertia, path)
         names, elements = ("xx", "yy", "zz", "xy", "xz", "yz"), tensor_elements(path, inertia)
@@ -315,7 +315,9 @@ class Mechanism(Structure):
         if (given := len(joint.efforts(child, self.ground))) != len(speeds):
             allowed = f"{len(speeds)}, one for each speed: {', '.join(speeds)}"
             raise AssemblyError(
-                Phrase("{given} efforts of {name}", given=given, name=type(joint).__name__),
+                Phrase(
+                    "{given} forces or torques for {name}", given=given, name=type(joint).__name__
+                ),
                 where=name,
                 found=given,
                 allowed=allowed,
@@ -520,7 +522,7 @@ class Mechanism(Structure):
         if expression.shape != (1, 1):
             hint = "Use one of them, such as joint[0]; a closing joint returns its forces and has no coordinate."
             raise AssemblyError(
-                "not one coordinate",
+                "more than one coordinate",
                 where=name,
                 found=f"{expression.shape[0]} expressions",
                 hint=hint,
@@ -640,7 +642,10 @@ class Mechanism(Structure):
         )
         if strange:
             symbols = f"an expression of {', '.join(strange)}"
-            hint = "It may depend on coordinates, speeds, points, tracks and states of its mechanism, not on reactions."
+            hint = (
+                "The expression may depend on coordinates, speeds, points, tracks and states of its "
+                "mechanism, but not on reactions."
+            )
             raise AssemblyError(
                 "a force that cannot be computed", where=name, found=symbols, hint=hint
             )
@@ -657,11 +662,14 @@ class Mechanism(Structure):
         if along.shape != magnitude.shape:
             count = f"{magnitude.numel()} along {along.numel()} expressions"
             raise AssemblyError(
-                "as many forces as expressions", where="force", found=count, allowed="one for each"
+                "the numbers of forces and expressions must be equal",
+                where="force",
+                found=count,
+                allowed="one for each",
             )
         moving = [self.collection.q, *(track.value for track in self.collection.tracks.values())]
         text, modes = (
-            "a force along an expression that moves no part of this mechanism",
+            "the expression moves no part of this mechanism, so a force along it has no effect",
             self.collection.switches.values(),
         )
         self._check_moves("force", along, text, ca.vertcat(*moving), [mode for mode, _ in modes])
@@ -679,7 +687,10 @@ class Mechanism(Structure):
         if rate.shape != magnitude.shape:
             count = f"{magnitude.numel()} on {rate.numel()} rates"
             raise AssemblyError(
-                "as many forces as rates", where="load", found=count, allowed="one for each"
+                "the numbers of forces and rates must be equal",
+                where="load",
+                found=count,
+                allowed="one for each",
             )
         self.act(loads.PowerOnRate("", rate, magnitude))
 
@@ -760,7 +771,7 @@ class Mechanism(Structure):
         result = expression_of(law, where, unit)
         if result.shape != (1, 1):
             raise AssemblyError(
-                "not one expression",
+                "a single expression is required",
                 where=where,
                 found=f"{result.numel()} expressions",
                 allowed="one",
@@ -778,7 +789,7 @@ class Mechanism(Structure):
         if given:
             hint = "Include them in the law, or omit the law."
             raise AssemblyError(
-                "a user-defined law accepts no other numbers",
+                "a user-defined law takes no other numbers",
                 where=name,
                 found=", ".join(given),
                 hint=hint,
@@ -1075,7 +1086,7 @@ class Mechanism(Structure):
         ]
         clashing += sorted(turning & set(self.collection.coordinates))
         if clashing:
-            text = "its coordinates have the signal names of a watched part with the same name"
+            text = "its coordinates have the same signal names as a watched body or point"
             hint = "Give the joint a name that differs from all watched bodies and points."
             raise AssemblyError(text, where=", ".join(clashing), hint=hint)
 
@@ -1178,7 +1189,9 @@ class Mechanism(Structure):
         for body in self.bodies.values():
             if not body.is_placed:
                 raise AssemblyError(
-                    "the body has no joint", where=body.name, hint="Give it a joint, or free()."
+                    "the body has no joint",
+                    where=body.name,
+                    hint="Give the body a joint, or free().",
                 )
             properties, carrier = body.mass_properties, body.carrier
             if isinstance(carrier, MovingCarrier):
@@ -1413,7 +1426,7 @@ class Mechanism(Structure):
         for output, expression in every.outputs.items():
             strange = self._strange_in(expression, given)
             if strange:
-                text = "an expression of symbols that this mechanism does not have"
+                text = "the expression contains symbols that this mechanism does not have"
                 raise AssemblyError(text, where=f"output {output.name}", found=", ".join(strange))
 
     def watch_balance(self) -> None:
@@ -1442,7 +1455,9 @@ class Mechanism(Structure):
         lacking = [name for name in model.parameters if name not in every]
         if lacking:
             raise AssemblyError(
-                "parameters without a value", where=", ".join(lacking), hint="Give them in values."
+                "some parameters have no value",
+                where=", ".join(lacking),
+                hint="Give the values of the parameters in values.",
             )
         u = np.zeros(model.u.shape[0])
         for i, name in enumerate(model.tracks):

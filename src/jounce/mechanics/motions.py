@@ -96,7 +96,9 @@ def step(start: float, end: float, begin: float, stop: float) -> Segments:
     width, rise = stop - begin, end - start
     if not width > 0.0:
         raise AssemblyError(
-            "not a motion", found=f"from {begin:g} s to {stop:g} s", allowed="stop after begin"
+            "invalid motion",
+            found=f"from {begin:g} s to {stop:g} s",
+            allowed="stop later than begin",
         )
     cubic = [start, 0.0, 3.0 * rise / width**2, -2.0 * rise / width**3]
     pieces = np.array([[start, 0.0, 0.0, 0.0], cubic, [end, 0.0, 0.0, 0.0]])
@@ -140,7 +142,7 @@ def interpolated(time: ArrayLike, value: ArrayLike, *, smooth: bool = True) -> S
     ):
         shapes = f"times of shape {t.shape}, values of shape {x.shape}"
         raise AssemblyError(
-            "not a motion", found=shapes, allowed="two finite points or more, ascending in time"
+            "invalid motion", found=shapes, allowed="two finite points or more, ascending in time"
         )
     pieces = piecewise_linear(t, x).coefficients
     if smooth:

@@ -258,7 +258,7 @@ class System:
         if shown.shape != (1, 1):
             count, hint = f"{shown.numel()} expressions", "Use one of them, such as force[0]."
             raise AssemblyError(
-                "not one expression", where=f"output {name}", found=count, hint=hint
+                "a single expression is required", where=f"output {name}", found=count, hint=hint
             )
         self.collection.outputs[Output(name, unit, long_name)] = shown
 

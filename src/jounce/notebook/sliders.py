@@ -85,7 +85,7 @@ def _ranges(
     if not numbers or isinstance(numbers, str):
         example = '["strut.spring.rate"], or {"strut.spring.rate": ("15 N/mm", "40 N/mm")}'
         raise DescriptionError(
-            "no numbers to move", where="numbers", found=numbers, allowed=example
+            "no parameters for the sliders", where="numbers", found=numbers, allowed=example
         )
     return dict(numbers) if isinstance(numbers, Mapping) else dict.fromkeys(numbers)
 
@@ -99,15 +99,15 @@ def _slider(rig: Rig, path: str, ends: tuple[float | str, float | str] | None) -
     if ends is None:
         if value == 0.0:
             raise DescriptionError(
-                "half of zero is not a range",
+                "the default range around zero is empty",
                 where=path,
-                hint=Phrase('Give its ends: ("0 {si}", ...).', si=si),
+                hint=Phrase('Give both ends of the range: ("0 {si}", ...).', si=si),
             )
         ends = ((1.0 - _SHARE) * value, (1.0 + _SHARE) * value)
     low, high = sorted(to_si(end, si, where=path) for end in ends)
     if not low < high:
         raise DescriptionError(
-            "not a range", where=path, found=f"{low:g} to {high:g}", allowed="two different ends"
+            "invalid range", where=path, found=f"{low:g} to {high:g}", allowed="two different ends"
         )
     unit = display_unit(si, max(abs(low), abs(high)))
     return {

@@ -224,7 +224,8 @@ def _check_rig(check: FileCheck) -> None:
         equilibrium(rig)
     except JounceError as error:
         raise DescriptionError(
-            Phrase("it has no equilibrium: {error}", error=error.message()), where=str(check.file)
+            Phrase("the rig has no equilibrium: {error}", error=error.message()),
+            where=str(check.file),
         ) from None
 
 

@@ -67,7 +67,7 @@ def extremes_within(time: Array, value: Array, rate: Array, start: float, end: f
     slack = 1e-9 * max(1.0, abs(end))
     if not (start < end and time[0] - slack <= start and end <= time[-1] + slack):
         raise jn.RecordingError(
-            "no such window",
+            "unknown time window",
             found=f"{start:g} to {end:g} s",
             allowed=f"within {time[0]:g} to {time[-1]:g} s",
         )

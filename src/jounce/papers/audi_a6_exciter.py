@@ -198,14 +198,14 @@ def run_eccentric_exciter(
     """
     if not (np.isfinite(amplitude) and 0.0 < amplitude <= LARGEST):
         raise jn.DescriptionError(
-            "not an amplitude of this exciter",
+            "invalid amplitude for this exciter",
             where="amplitude",
             found=f"{amplitude:g} m",
             allowed=f"above 0 m, at most {LARGEST:g} m; a larger one would compress the spring completely",
         )
     if not (np.isfinite(plate_mass) and plate_mass >= 0.0):
         raise jn.DescriptionError(
-            "not a mass", where="plate_mass", found=plate_mass, allowed="0 kg or more"
+            "invalid mass", where="plate_mass", found=plate_mass, allowed="0 kg or more"
         )
     rig = jn.load(RIG)
     assert isinstance(rig, jn.QuarterCar)

@@ -139,7 +139,7 @@ def virtual_bench(
     given_seed: object = seed
     if isinstance(given_seed, bool) or not isinstance(given_seed, int) or seed < 0:
         raise jn.DescriptionError(
-            "not a seed", where="seed", found=seed, allowed="a whole number of 0 or more"
+            "invalid seed", where="seed", found=seed, allowed="an integer of 0 or more"
         )
     given = (
         shipped_truth()
@@ -238,7 +238,7 @@ def _tyre_coefficients(truth: jn.BenchTruth, pressure: float) -> tuple[float, ..
         raise jn.DescriptionError(
             "the test machine needs a stiffness or a polynomial of the tyre",
             where=f"tyre at {pressure:g} Pa",
-            hint="Give its coefficients under [tyre].",
+            hint="Give the coefficients of the tyre under [tyre].",
         )
     coefficients: tuple[float, ...] = tyre.curve.coefficients
     return coefficients
@@ -414,7 +414,9 @@ def _decays(plan: BenchPlan, truth: jn.BenchTruth) -> dict[str, str]:
     rig = truth.true_rig()
     if rig.sprung is None:
         raise jn.DescriptionError(
-            "the bench needs a sprung mass", where="rig.sprung", allowed="its mass and its guide"
+            "the bench needs a sprung mass",
+            where="rig.sprung",
+            allowed="a sprung mass and its guide",
         )
     at_rest = jn.linearise(rig).equilibrium
     for i in range(1, plan.decays + 1):

@@ -148,9 +148,9 @@ class Hardpoints(Description):
             if size > LARGE and min(sizes.values()) < LARGE:
                 raise error_at(
                     (name,),
-                    "lies far from the other points",
+                    "is far from the other points",
                     found=Phrase("{point} m", point=list(getattr(self, name))),
-                    hint='Millimetres as metres? A bare number is in m; write "150 mm".',
+                    hint='Were millimetres given as metres? A number without a unit is in m; write "150 mm".',
                 )
 
     def _refuse_half(self, group: tuple[str, ...]) -> None:
@@ -158,7 +158,7 @@ class Hardpoints(Description):
         if 0 < len(missing) < len(group):
             raise ValueError(
                 Phrase(
-                    "{missing} missing; give all of {group}, or none of them",
+                    "{missing} is missing; give all of {group}, or none of them",
                     missing=" and ".join(missing),
                     group=", ".join(group),
                 )
@@ -171,10 +171,10 @@ class Hardpoints(Description):
         first, second = (first, second) if getattr(self, second) is not None else (second, first)
         raise error_at(
             (second,),
-            Phrase("the same point as {name}", name=first),
+            Phrase("coincides with {name}", name=first),
             found=Phrase("{point} for both", point=write_point(b)),
             allowed="two points that differ",
-            hint="Was a line copied and not changed?",
+            hint="Was a line copied but not edited?",
         )
 
     def _refuse_one_line(self, start: str, end: str, turned: str) -> None:
@@ -184,7 +184,7 @@ class Hardpoints(Description):
         if distance_to_line(c, a, b) < ON_ONE_LINE * max(distance(a, b), distance(a, c)):
             raise error_at(
                 (turned,),
-                Phrase("lies on the line through {start} and {end}", start=start, end=end),
+                Phrase("is on the line through {start} and {end}", start=start, end=end),
                 found=Phrase(write_point(c)),
                 allowed="a point away from it, because it could not rotate about that axis",
             )
@@ -323,7 +323,7 @@ class Corner(Rig):
         if not isinstance(table, dict):
             return table
         if "without" in table:
-            raise error_at(("without",), "follows from what the file leaves out; leave it out, too")
+            raise error_at(("without",), "is derived from what the file omits; remove it")
         if (
             table.get("bodies")
             and table.get("torsion_bar")
@@ -425,10 +425,10 @@ class Corner(Rig):
         if missing:
             tables = [_TABLES[name] for name in missing]
             raise DescriptionError(
-                Phrase("{what} cannot be had from hardpoints alone", what=what),
+                Phrase("{what} cannot be determined from hardpoints alone", what=what),
                 where=self.source or "rig",
                 found=f"a rig without {', '.join(missing)}",
-                allowed="sweeps of its kinematics",
+                allowed="sweeps of wheel travel, roll or rack",
                 hint=Phrase(
                     "Describe {filter}.",
                     filter=" and ".join(filter(None, (", ".join(tables[:-1]), tables[-1]))),
@@ -494,12 +494,12 @@ class Corner(Rig):
                 allowed='above 0 for side = "left" (y points to the left)'
                 if self.side == "left"
                 else 'below 0 for side = "right" (y points to the left)',
-                hint="Change side, or the sign of all y.",
+                hint="Change side, or reverse the sign of all y values.",
             )
         if centre[2] <= 0.0:
             raise error_at(
                 ("hardpoints", "wheel_centre"),
-                "lies in or below the road, which is z = 0",
+                "is in or below the road (z = 0)",
                 found=Phrase("z = {z:g} mm", z=1e3 * centre[2]),
                 allowed=Phrase("above {bound:g}", bound=0.0),
                 hint="Add the loaded radius of the tyre to all heights.",
@@ -513,7 +513,7 @@ class Corner(Rig):
             ):
                 raise error_at(
                     ("hardpoints", name),
-                    "on the other side of the car than the wheel",
+                    "not on the same side of the car as the wheel",
                     found=Phrase(
                         "{point}, the wheel centre has y = {y:g} mm",
                         point=write_point(point),
@@ -539,7 +539,7 @@ class Corner(Rig):
             raise error_at(
                 ("sprung",),
                 Phrase(
-                    '{missing} missing; guide = "{guide}" needs {needed}',
+                    '{missing} is missing; guide = "{guide}" needs {needed}',
                     missing=", ".join(missing),
                     guide=self.guide,
                     needed=", ".join(needed),
@@ -597,9 +597,12 @@ class Corner(Rig):
         if needing:
             raise error_at(
                 ("hardpoints", "strut_bottom"),
-                "missing, and strut_top with it",
+                "is missing, as is strut_top",
                 found=Phrase("{names}, which need the ends of the strut", names=", ".join(needing)),
-                hint="Give both ends, or only the other points and [wheel], which are enough for kinematics.",
+                hint=(
+                    "Give both ends of the strut, or only the other points and [wheel], which are enough for "
+                    "kinematics."
+                ),
             )
 
     def _check_stem(self) -> None:
@@ -607,13 +610,14 @@ class Corner(Rig):
         points = self.hardpoints
         if points.arb_axis is None:
             raise error_at(
-                ("hardpoints", "arb_axis"), "missing; the stem of a T-bar runs from arb_pivot to it"
+                ("hardpoints", "arb_axis"),
+                "is is missing; the stem of a T-bar runs from arb_pivot to it",
             )
         for name in ("arb_pivot", "arb_axis"):
             if abs(getattr(points, name)[1]) >= SAME_POINT:
                 raise error_at(
                     ("hardpoints", name),
-                    "off the middle of the car",
+                    "not in the middle of the car",
                     found=Phrase(write_point(getattr(points, name))),
                     allowed="y = 0, where the stem of a T-bar is",
                 )
@@ -625,7 +629,9 @@ class Corner(Rig):
             raise error_at(
                 ("hardpoints",) if self.third_spring is None else ("third_spring",),
                 "a third spring needs its table [third_spring] and hardpoint third_spring_end",
-                found=Phrase("only the point" if self.third_spring is None else "only the table"),
+                found=Phrase(
+                    "only the hardpoint" if self.third_spring is None else "only the table"
+                ),
             )
         if end is None or self.third_spring is None:
             return
@@ -633,9 +639,9 @@ class Corner(Rig):
         if self.sign * end[1] < _APART:
             raise error_at(
                 ("hardpoints", "third_spring_end"),
-                "at or across the middle of the car, where the other end is",
+                "lies at or beyond the middle of the car, where the other end is",
                 found=Phrase(write_point(end)),
-                allowed=Phrase("{least:g} mm from it at least", least=1e3 * _APART),
+                allowed=Phrase("at least {least:g} mm from it", least=1e3 * _APART),
             )
 
     def _require_body(self, element: str, name: str) -> None:
@@ -643,7 +649,7 @@ class Corner(Rig):
             return
         raise error_at(
             (element,) if element == "hardpoints" else (element, "on"),
-            Phrase("the body {name} carries it and does not exist", name=show_value(name)),
+            Phrase("the body {name} that carries it does not exist", name=show_value(name)),
             allowed=Phrase(
                 "{names}, or a table [bodies.{name}] with mass, centre_of_mass and inertia",
                 names=", ".join(self.body_masses()),

@@ -428,7 +428,7 @@ class MapDamper(DamperLaw):
         if len(self.force) != len(self.length):
             raise ValueError(
                 Phrase(
-                    "force has {count} rows and length {second_count} points; give one row for each length",
+                    "force has {count} rows and length has {second_count} points; give one row for each length",
                     count=len(self.force),
                     second_count=len(self.length),
                 )

@@ -189,7 +189,7 @@ class SpatialStrut(Description):
         if isinstance(table, dict) and "angle" in table:
             raise error_at(
                 ("angle",),
-                "a 3-D rig takes no strut angle, which follows from its geometry",
+                "a 3-D rig has no strut-angle setting: the angle follows from the geometry",
                 found=as_found(table["angle"]),
                 hint="Move hardpoints.strut_top or hardpoints.strut_bottom instead.",
             )
@@ -242,13 +242,15 @@ class SteeringColumn(Description):
             if math.dist(start, end) < _SHORTEST_SHAFT:
                 raise error_at(
                     (second,),
-                    Phrase("the same point as {name}", name=first),
+                    Phrase("coincides with {name}", name=first),
                     allowed="the other end of a shaft",
                 )
         for (_, start), (joint, middle), (_, end) in zip(given, given[1:], given[2:], strict=False):
             bend = _bend(start, middle, end)
             if bend > _STEEPEST_JOINT:
-                allowed = Phrase("up to {most:g} deg, as universal joints do", most=_STEEPEST_JOINT)
+                allowed = Phrase(
+                    "up to {most:g} deg, the limit of universal joints", most=_STEEPEST_JOINT
+                )
                 raise error_at(
                     (joint,),
                     Phrase("bends the column by {bend:.3g} deg", bend=bend),
@@ -292,12 +294,10 @@ class Steering(Description):
                 ("rack_ratio",),
                 "a rack that does not move",
                 found=Phrase("0 m/rad"),
-                allowed="any other, negative where it moves the other way",
+                allowed="any other ratio, negative if the rack moves the other way",
             )
         if self.column is not None and self.rack_ratio is None:
-            raise error_at(
-                ("column",), "turns a pinion that moves no rack; add steering.rack_ratio"
-            )
+            raise error_at(("column",), "turns a pinion without a rack; add steering.rack_ratio")
         return self
 
 

@@ -219,7 +219,7 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
         other = next((schema for schema, names in MODELS.items() if model in names), None)
         if other is not None:
             raise DescriptionError(
-                Phrase("the model {model!r} is of another schema", model=model),
+                Phrase("the model {model!r} belongs to a different schema", model=model),
                 where=where,
                 found=str(table["schema"]),
                 allowed=Phrase('schema = "{other}"', other=other),
@@ -256,7 +256,7 @@ def _read_corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
         file = library()[name] if name in library() else Path(name)
     if not file.is_file():
         raise DescriptionError(
-            "no such file and no shipped corner",
+            "no such file, and no corner of that name in the library",
             where=place,
             found=name,
             allowed=_shipped_corners(),
@@ -426,7 +426,9 @@ def save(
         if like is None:  # a file of a different model has nothing to keep
             return write_atomically(file, rig_text(rig), force=force)
         models = f"a {getattr(described, 'model', '')} for a {getattr(rig, 'model', '')}"
-        raise DescriptionError("not a file of the same model", where=str(model), found=models)
+        raise DescriptionError(
+            "the file describes a different model", where=str(model), found=models
+        )
     return write_atomically(file, updated_text(text, rig, str(file)), force=force)
 
 

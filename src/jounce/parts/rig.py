@@ -58,7 +58,7 @@ def split_path(path: str) -> list[str | int]:
         match = re.fullmatch(r"([\w-]+)((?:\[\d+\])*)", piece)
         if match is None:
             raise DescriptionError(
-                "not a path", where=path, allowed="names joined by dots, e.g. strut.spring.rate"
+                "invalid path", where=path, allowed="names joined by dots, e.g. strut.spring.rate"
             )
         parts.append(match[1])
         parts.extend(int(index) for index in re.findall(r"\[(\d+)\]", match[2]))
@@ -69,7 +69,9 @@ def change_table(description: BaseModel, changes: object) -> dict[str, Any]:
     """Return the description as a table in which the values at some paths are replaced."""
     if not isinstance(changes, Mapping) or not all(isinstance(path, str) for path in changes):
         allowed = 'values by path, e.g. {"strut.spring.rate": "25 N/mm"}'
-        raise DescriptionError("no changes", where="changes", found=changes, allowed=allowed)
+        raise DescriptionError(
+            "no changes are given", where="changes", found=changes, allowed=allowed
+        )
     table: dict[str, Any] = description.model_dump(by_alias=True, exclude_none=True)
     for path, value in changes.items():
         parts, own = split_path(path), deepcopy(value)  # a later path may change it
@@ -108,14 +110,14 @@ def unknown_path(where: str, known: Iterable[str], *, name: str = "") -> Descrip
     if near:
         names = " or ".join(filter(None, (", ".join(map(repr, near[:-1])), repr(near[-1]))))
         hint = f"Did you mean {names}? {every}".rstrip()
-        return DescriptionError("no such parameter", where=where, hint=hint)
+        return DescriptionError("unknown parameter", where=where, hint=hint)
     begins = dict.fromkeys(re.split(r"[.[]", path)[0] for path in paths)
     allowed = (
         Phrase("paths that begin with {begins}", begins=", ".join(begins))
         if every
         else ", ".join(paths)
     )
-    return DescriptionError("no such parameter", where=where, allowed=allowed, hint=every)
+    return DescriptionError("unknown parameter", where=where, allowed=allowed, hint=every)
 
 
 def nearest_paths(name: str, known: Iterable[str]) -> list[str]:

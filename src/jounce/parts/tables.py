@@ -32,7 +32,7 @@ def check_ascending(name: str, values: tuple[float, ...]) -> None:
         if b <= a:
             raise ValueError(
                 Phrase(
-                    "{name}[{i}] = {b:g} does not lie above {name}[{second_i}] = {a:g}; sort the points",
+                    "{name}[{i}] = {b:g} is not above {name}[{second_i}] = {a:g}; sort the points",
                     name=name,
                     i=i + 1,
                     b=b,

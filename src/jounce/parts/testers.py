@@ -212,12 +212,16 @@ class Tester(Description):
         if sprung != (self.plate_spring_rate is not None):
             raise error_at(
                 ("plate_spring_rate",),
-                "a sprung plate needs it, a rigid one has none",
+                "a sprung plate requires it, and a rigid plate must not have it",
                 found=Phrase('kind = "{kind}"', kind=self.kind),
             )
         if self.plate_damping_coefficient is not None and not sprung:
             kind = Phrase('kind = "rigid-plate"')
-            raise error_at(("plate_damping_coefficient",), "a rigid plate has none", found=kind)
+            raise error_at(
+                ("plate_damping_coefficient",),
+                "a rigid plate has no damping coefficient",
+                found=kind,
+            )
         if self.programme.run_down == "free" and self.drive is None:
             raise error_at(
                 ("drive",),

@@ -103,20 +103,26 @@ def strut_angle_findings(angle: float, place: str) -> list[Finding]:
 def _ends(rig: Rig) -> tuple[Triple, Triple]:
     """Return lower and upper end of a strut, or raise an error if the strut cannot be rotated."""
     if not isinstance(rig, Corner):
-        raise DescriptionError("this rig has no strut that could be turned", where="strut angle")
+        raise DescriptionError(
+            "this rig has no strut whose angle can be changed", where="strut angle"
+        )
     points, moved, allowed = rig.hardpoints, "strut_top", ""
     rig.require("strut", what="the angle of the strut")
     own = [name for name in _OWN_ENDS if getattr(points, name) is not None]
     if isinstance(rig, McPherson):
         cause = 'model = "mcpherson"'
-        problem = "a McPherson strut guides the wheel: turning it would change the whole suspension"
+        problem = (
+            "a McPherson strut guides the wheel: inclining it would change the whole suspension"
+        )
     elif rig.strut.on == "rocker":
         cause = 'strut.on = "rocker"'
-        problem = "the strut is on a rocker: its angle in front view does not decide its leverage"
+        problem = (
+            "the strut is on a rocker: its angle in front view does not determine the motion ratio"
+        )
     elif own:
         cause, moved = ", ".join(f"hardpoints.{name}" for name in own), own[-1]
-        problem = "spring and damper are not on one line, so that no single angle describes them"
-        allowed = "rigs that give strut_bottom and strut_top only"
+        problem = "spring and damper are not collinear, so no single angle describes them"
+        allowed = "rigs whose strut has only strut_bottom and strut_top"
     else:
         return cast(Triple, points.strut_bottom), cast(Triple, points.strut_top)
     hint = Phrase(
@@ -143,7 +149,7 @@ def wear_dampers(rig: R, wear: float) -> R:
     """
     if not (math.isfinite(wear) and 0.0 <= wear <= 1.0):
         raise DescriptionError(
-            "not a wear", where="wear", found=wear, allowed="0 (new) to 1 (no damper at all)"
+            "invalid wear", where="wear", found=wear, allowed="0 (new) to 1 (no damper at all)"
         )
     forces = {path: value for path, value in rig.parameters().items() if _LAW.search(path)}
     return rig.with_changes({path: (1.0 - wear) * value for path, value in forces.items()})

@@ -296,14 +296,14 @@ class SpatialAxle(Description):
         if self.corner.side != "left":
             raise error_at(
                 ("corner", "side"),
-                'found "right"',
-                allowed="the left corner, the right one is its mirror",
+                "the corner of a car must be the left one",
+                allowed="the left corner; the right one is its mirror image",
             )
         if self.corner.lacks:
             raise error_at(
                 ("corner",),
                 Phrase(
-                    "of a car needs all its parts; it has no {lacks}",
+                    "the corner of a car needs all its parts, but this one has no {lacks}",
                     lacks=", ".join(self.corner.lacks),
                 ),
             )
@@ -311,7 +311,7 @@ class SpatialAxle(Description):
         if bar is not None and bar.kind != "z" and self.anti_roll_bar_rate > 0.0:
             raise error_at(
                 ("anti_roll_bar_rate",),
-                "the corner describes this bar, too, and both would count",
+                "the corner also describes this bar, so its effect would be counted twice",
                 allowed="one of them",
             )
         return self
@@ -408,11 +408,11 @@ def axle_of(
         raise unknown(axle, ("front", "rear"), what="axle", where="axle")
     if not isinstance(vehicle, (FullCar, HalfCar4DOF)):
         raise DescriptionError(
-            "an axle on a tester needs wheels on tyres, and lumped",
+            "a tester needs a lumped axle with wheels on tyres",
             where="vehicle",
             found=getattr(vehicle, "model", type(vehicle).__name__),
             allowed="full-car, half-car-4dof; or a quarter car or a 3-D corner",
-            hint="A massless half car has no tyres; of a 3-D car test one of its corners.",
+            hint="A half car without unsprung masses has no tyres; for a 3-D car, test one of its corners.",
         )
     own = vehicle.front if axle == "front" else vehicle.rear
     other = vehicle.rear if axle == "front" else vehicle.front

@@ -79,7 +79,7 @@ def case_overview(study: AudiCase, moment: float) -> Figure:
     runs = [run for run in study.runs if run.moment == moment]
     if not runs:
         allowed = ", ".join(f"{value:g}" for value in sorted({run.moment for run in study.runs}))
-        raise RecordingError("no run with this moment", found=f"{moment:g} N m", allowed=allowed)
+        raise RecordingError("no run with this torque", found=f"{moment:g} N m", allowed=allowed)
     figure = new_figure(8.4)
     rows = figure.subplots(len(_QUANTITIES), 1, sharex=True)
     for axes, channel in zip(rows, _QUANTITIES, strict=True):

@@ -147,7 +147,9 @@ def _register() -> Callable[..., Figure]:
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
         kinds = ", ".join(sorted(kind.__name__ for kind in draw.registry if kind is not object))
-        raise JounceError("no figure for this type", found=type(result).__name__, allowed=kinds)
+        raise JounceError(
+            "there is no figure for this type", found=type(result).__name__, allowed=kinds
+        )
 
     def of_dataset(result: xr.Dataset, **options: Any) -> Figure:
         if "variant" in result.dims and "reason" in result:

@@ -111,7 +111,8 @@ def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[st
         channels = [name for name in _PREFERRED if name in present] or present[:_MOST_BY_DEFAULT]
     if not channels:
         raise RecordingError(
-            "no channel over time to draw", found=", ".join(map(str, run.data_vars)) or "nothing"
+            "no time-dependent channel to draw",
+            found=", ".join(map(str, run.data_vars)) or "nothing",
         )
     for name in channels:
         if name not in present:

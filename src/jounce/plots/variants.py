@@ -305,7 +305,7 @@ def variant_bands(many: xr.Dataset, channels: Sequence[str] | str | None = None)
     names = [channels] if isinstance(channels, str) else list(channels or known[:4])
     if not names:
         raise DescriptionError(
-            "no channel was stored over time", where="channels", hint="Ask for outputs."
+            "no time-dependent channel was stored", where="channels", hint="Ask for outputs."
         )
     figure = new_figure(0.5 + 1.9 * len(names))
     column = figure.subplots(len(names), 1, squeeze=False, sharex=True)[:, 0]
@@ -342,7 +342,9 @@ def _require_varied(many: xr.Dataset) -> list[str]:
     paths = numbers_of(many)
     if not paths:
         raise DescriptionError(
-            "no number varies", where="many", hint="Pass the result of simulate_many or load_sweep."
+            "no parameter varies",
+            where="many",
+            hint="Pass the result of simulate_many or load_sweep.",
         )
     return paths
 

@@ -177,7 +177,9 @@ def clock_of(given: Sequence[Any], *, where: str) -> xr.DataArray:
         raise _no_time(where)
     if any(not np.array_equal(time.values, times[0].values) for time in times[1:]):
         raise RecordingError(
-            "the channels were recorded at different times", where=where, hint="Resample them."
+            "the channels were recorded at different times",
+            where=where,
+            hint="Resample the channels.",
         )
     return times[0]
 
@@ -187,7 +189,7 @@ def rate_of_channels(given: Sequence[Any], *, where: str) -> float:
     time = as_samples(clock_of(given, where=where), "s", where=f"{where}: time")
     if check_time(time, where=where)[1]:
         raise RecordingError(
-            "time is not uniform", where=where, hint="Resample the recording first."
+            "the time steps are not uniform", where=where, hint="Resample the recording first."
         )
     return (time.size - 1) / float(time[-1] - time[0])
 
@@ -254,5 +256,5 @@ def _ambiguous(what: str, names: Iterable[Any], where: str, several: bool) -> Re
         f"{'more than one has' if several else 'it has not'} {what}",
         where=where,
         found=", ".join(map(str, names)),
-        hint="Select one, e.g. run['strut.deflection'].",
+        hint="Select a channel, e.g. run['strut.deflection'].",
     )

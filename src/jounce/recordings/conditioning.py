@@ -85,11 +85,12 @@ def sensitivity_of(
         factor *= size
     if not links or before not in ELECTRICAL:
         raise DescriptionError(
-            "the sensitivity does not end in a quantity that a card records",
+            "the sensitivity does not end in a quantity that a data acquisition card records",
             where=where,
             found=", ".join(links),
             allowed=Phrase(
-                "a voltage, a current or counts at the end, e.g. {examples}", examples=_EXAMPLES
+                "a chain that ends in a voltage, a current or counts, e.g. {examples}",
+                examples=_EXAMPLES,
             ),
         )
     return Sensitivity(factor, before)
@@ -100,19 +101,19 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
     match = _RATIO.fullmatch(text)
     if match is None:
         raise DescriptionError(
-            "not a sensitivity with its units", where=where, found=text, allowed=_EXAMPLES
+            "a sensitivity with its units is required", where=where, found=text, allowed=_EXAMPLES
         )
     per = match["per"].strip("() ")
     given = _electrical_unit(match["unit"].strip())
     if given is None or not is_unit_of(per, unit):
         wrong = match["unit"].strip() if given is None else per
         allowed = Phrase(
-            "{examples}; after the slash a unit that converts to {unit}",
+            "{examples}; the unit after the slash must convert to {unit}",
             examples=_EXAMPLES,
             unit=unit,
         )
         raise DescriptionError(
-            Phrase("the unit {wrong!r} does not fit a sensitivity", wrong=wrong),
+            Phrase("the unit {wrong!r} is not valid in a sensitivity", wrong=wrong),
             where=where,
             found=text,
             allowed=allowed,
@@ -123,7 +124,7 @@ def _link(text: str, unit: str, where: str) -> tuple[float, str]:
     )
     if size == 0.0 or below == 0.0:
         raise DescriptionError(
-            "a sensitivity of 0 records nothing", where=where, found=text, allowed=_EXAMPLES
+            "a sensitivity of 0 cannot record a signal", where=where, found=text, allowed=_EXAMPLES
         )
     return size / below, given
 

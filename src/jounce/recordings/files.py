@@ -507,7 +507,7 @@ def read_columns(
         if name not in wanted:
             allowed = [allowed_name for names in sets for allowed_name in names]
             raise RecordingError(
-                Phrase("columns names {name!r}, which is not read here", name=name),
+                Phrase("columns names {name!r}, which this reader does not use", name=name),
                 where=str(file),
                 allowed=", ".join(allowed),
                 hint=nearest(name, allowed),
@@ -552,12 +552,12 @@ def locate(table: ColumnTable, spec: str) -> Column:
     )  # the full header 'Force [N]', followed by a different unit
     if unit and own and unit != own:
         hint = Phrase(
-            "If the header is wrong, give it in full, followed by the right unit: '{label} [{unit}]'.",
+            "If the header is wrong, give the name in full, followed by the right unit: '{label} [{unit}]'.",
             label=column.label,
             unit=unit,
         )
         raise RecordingError(
-            "the column has another unit",
+            "the column has a different unit",
             where=column.where,
             found=column.unit,
             allowed=unit,
@@ -579,7 +579,7 @@ def in_si(column: Column, si: str) -> Array:
             where=column.where,
             allowed=Phrase("{name} [{si}], or a unit that converts to it", name=column.name, si=si),
             hint=Phrase(
-                "Write it into the header, or map it with columns: '{name} [{si}]'.",
+                "State the unit in the header, or map it with columns: '{name} [{si}]'.",
                 name=column.name,
                 si=si,
             ),
@@ -627,7 +627,7 @@ def _locate_channels(
         home = next((table for table in (main, *signals.tables) if _is_home(table, spec)), main)
         if home not in tables:
             raise RecordingError(
-                "the signal was recorded at different instants from the others",
+                "the signal was recorded at instants different from the others",
                 where=f"{main.file}: {name}",
                 found=spec,
                 hint=Phrase(
@@ -725,7 +725,7 @@ def _locate_channels(
     return located, findings
 
 
-_HOW_TIME = "Map it with columns, {'time': 'NAME [s]'}, or give the sample time."
+_HOW_TIME = "Map the time column with columns, {'time': 'NAME [s]'}, or give the sample time."
 
 
 def write_recording(

@@ -66,7 +66,7 @@ class RecordingFormat(TableFormat):
                 where=str(file),
                 found=", ".join(map(str, data.data_vars)),
                 hint=Phrase(
-                    'Map its column, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.',
+                    'Map the column of the channel, e.g. columns = {{"{channel}" = "COLUMN [unit]"}}.',
                     channel=channel,
                 ),
             )

@@ -45,7 +45,7 @@ def rows_on_disk(dataset: Any) -> tuple[int, int]:
     )
     if count < whole:
         raise RecordingError(
-            "parts of the record were never written",
+            "some some parts of the record were never written",
             where=f"{dataset.file.filename}: {dataset.name.lstrip('/')}",
             found=f"{count} of {expected} pieces",
         )
@@ -68,15 +68,15 @@ def _check_kind(dataset: Any) -> None:
 
     where = f"{dataset.file.filename}: {dataset.name.lstrip('/')}"
     if dataset.external or dataset.is_virtual:
-        hint = "Copy them into this one, e.g. with h5repack."
+        hint = "Copy the data into this file, e.g. with h5repack."
         raise RecordingError("the data are stored in other files", where=where, hint=hint)
     kind = dataset.id.get_type()
     if isinstance(kind, (h5py.h5t.TypeFloatID, h5py.h5t.TypeIntegerID)) and not any(
         kind == known for known in _readable_kinds()
     ):
-        what = "a number type that no program writes: the file is damaged"
+        what = "an impossible number type: the file is damaged"
         allowed = "integers of up to 8 bytes, floating-point numbers of 2, 4 or 8"
-        raise RecordingError(what, where=where, allowed=allowed, hint="Use an original copy.")
+        raise RecordingError(what, where=where, allowed=allowed, hint="Use an undamaged copy.")
 
 
 @cache
@@ -126,7 +126,7 @@ def announcement(
         return []
     if held == 0 and refused:
         raise RecordingError(
-            "the file contains none of the samples that it announces",
+            "the file contains none of the samples that it declares",
             where=f"{where}: {name}",
             found=f"0 of {announced}",
         )

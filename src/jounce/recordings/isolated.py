@@ -129,38 +129,38 @@ class _Child(ChildProcess):
         if not late and (-code in _FROM_OUTSIDE or not self.is_ready):
             how = f"{signal.Signals(-code).name}" if code < 0 else f"exit code {code}"
             return ResourceError(
-                "the process that reads files was ended from outside"
+                "the reading process was terminated externally"
                 if self.is_ready
-                else "the process that reads files does not start",
+                else "the reading process does not start",
                 where=str(path),
                 found=how,
                 hint="Check that enough memory, processes and file handles are available, then read the file again.",
             )
         if late or -code == getattr(signal, "SIGXCPU", None):
             return RecordingError(
-                "reading the file does not finish: it is damaged",
+                "reading does not finish, so the file is damaged",
                 where=str(path),
                 found=f"more than {seconds:.0f} s",
                 allowed=Phrase(
-                    "{time:.0f} s and 1 s for each {time_a_byte:.0f} MB",
+                    "{time:.0f} s plus 1 s for every {time_a_byte:.0f} MB",
                     time=TIME,
                     time_a_byte=1e-06 / TIME_A_BYTE,
                 ),
-                hint="Use an original copy.",
+                hint="Use an undamaged copy.",
             )
         with contextlib.suppress(ValueError):
             return RecordingError(
                 Phrase(
-                    "reading the file ended the process that reads it ({name}): it is damaged",
+                    "the reading process crashed ({name}), so the file is damaged",
                     name=signal.Signals(-code).name,
                 ),
                 where=str(path),
-                hint="Use an original copy.",
+                hint="Use an undamaged copy.",
             )
         return RecordingError(
-            Phrase("the process that reads the file ended (exit code {code})", code=code),
+            Phrase("the reading process ended unexpectedly (exit code {code})", code=code),
             where=str(path),
-            hint="Use an original copy.",
+            hint="Use an undamaged copy.",
         )
 
 
@@ -253,7 +253,7 @@ def too_much_memory(error: MemoryError, path: str, allowed: float = 0.0) -> Reco
         where=path,
         found=str(error) or None,
         allowed=Phrase("{allowed:.1f} GB", allowed=allowed / 1e9) if allowed else "",
-        hint="It is damaged, or contains far more data than its size suggests.",
+        hint="The file is damaged, or contains far more data than its size suggests.",
     )
 
 

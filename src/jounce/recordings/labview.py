@@ -30,7 +30,7 @@ _HALF, _ROUNDING = (
     0.51,
     0.51e-6,
 )  # half of the last decimal, and of six decimals in s, with a margin for floats
-_ALLOWED = "one segment after the header, with equal steps of all channels"
+_ALLOWED = "one segment after the header, with equal steps for all channels"
 
 
 def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
@@ -52,12 +52,16 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
             "no data" if len(ends) < 2 or len(lines) < ends[1] + 3 else f"{len(ends) - 1} segments"
         )
         hint = (
-            "Write a file for each, or all in one segment."
+            "Write a separate file for each channel, or all of them in one segment."
             if len(ends) > 2
             else "Is the file complete?"
         )
         raise RecordingError(
-            "no table of one segment", where=str(file), found=contents, allowed=_ALLOWED, hint=hint
+            "not a table with a single segment",
+            where=str(file),
+            found=contents,
+            allowed=_ALLOWED,
+            hint=hint,
         )
     has_commas = any(
         line.replace("\t", ",").startswith("Separator,Comma") for line in lines[: ends[0]]
@@ -67,7 +71,11 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     if names[0] != "X_Value":
         where, hint = at_line(file, ends[1] + 2), "Is the file complete?"
         raise RecordingError(
-            "no column names", where=where, found=names[0], allowed="X_Value first", hint=hint
+            "the column names are missing",
+            where=where,
+            found=names[0],
+            allowed="X_Value as the first column",
+            hint=hint,
         )
     clocks = [i for i, name in enumerate(names) if name == "X_Value"]
     channels = [i for i, name in enumerate(names) if name not in ("X_Value", "Comment")]
@@ -77,7 +85,7 @@ def plain_columns(text: str, file: Path) -> tuple[str, int | None]:
     if others := {header["X_Dimension"][i] for i in measured} - {"", "Time"}:
         contents = ", ".join(sorted(others))
         raise RecordingError(
-            "no signals over time", where=f"{file}: X_Dimension", found=contents, allowed="Time"
+            "no time signals", where=f"{file}: X_Dimension", found=contents, allowed="Time"
         )
     start, step = (
         _common(f"{file}: {tag}", [header[tag][i] for i in measured]) for tag in ("X0", "Delta_X")
@@ -131,7 +139,7 @@ def _check_columns(header: dict[str, list[str]], clocks: Sequence[int], file: Pa
                     where=f"{file}: {tag}",
                     found=f"{cells[column]!r} in column {column + 1}",
                     allowed="the cell of each channel in the column of its samples",
-                    hint="Insert an empty cell before that of each further channel, as LabVIEW does.",
+                    hint="Insert an empty cell before that of each additional channel, as LabVIEW does.",
                 )
 
 
@@ -165,7 +173,11 @@ def _number(cell: str, where: str, line: int = 0) -> float:
         where += f", line {line}: X_Value" if line else ""
         hint = "Correct the cell, or clear it if the channel has no sample there."
         raise RecordingError(
-            "not a number of seconds", where=where, found=cell, allowed="finite numbers", hint=hint
+            "invalid number of seconds",
+            where=where,
+            found=cell,
+            allowed="finite numbers",
+            hint=hint,
         )
     return number
 
@@ -180,7 +192,10 @@ def _common(where: str, cells: Sequence[str]) -> float:
 
 def _apart(where: str, cells: Iterable[str]) -> RecordingError:
     values = " and ".join(cells)
-    hint = "Write a file for each, or put them on a common clock in LabVIEW (Align and Resample)."
+    hint = (
+        "Write a separate file for each channel, or put the channels on a common clock in LabVIEW "
+        "(Align and Resample)."
+    )
     return RecordingError(
         "the channels have different start times or steps",
         where=where,

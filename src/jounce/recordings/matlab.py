@@ -69,9 +69,9 @@ def read_matrices(path: Path) -> tuple[dict[str, Matrix], list[str], list[Findin
     findings: list[Finding] = []
     with path.open("rb") as stream:
         if stream.read(19).startswith((b"# Created by Octave", b"Octave-1-", b"\x89HDF")):
-            hint = "Save it with `save -v7 FILE.mat` in Octave, or `save FILE.mat -v7.3` in MATLAB."
+            hint = "Save the file with `save -v7 FILE.mat` in Octave, or `save FILE.mat -v7.3` in MATLAB."
             raise RecordingError(
-                "a file in a format of Octave, or HDF5, not of MATLAB", where=str(path), hint=hint
+                "a file in an Octave or HDF5 format, not a MATLAB file", where=str(path), hint=hint
             )
     try:
         with collect_warnings() as warnings:
@@ -183,7 +183,7 @@ def _check_matrix(matrix: memoryview, order: str, depth: int) -> None:
         if count != announced:
             raise ValueError(
                 Phrase(
-                    "a matrix announces {announced} numbers and contains {count}",
+                    "a matrix declares {announced} numbers but contains {count}",
                     announced=announced,
                     count=count,
                 )

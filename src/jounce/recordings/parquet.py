@@ -31,7 +31,7 @@ def check_counts(metadata: Any, path: Path) -> None:
     ):
         what = "the file states different numbers of rows in different places: it is damaged"
         listed = ", ".join(map(str, sorted({metadata.num_rows, *counts})))
-        raise RecordingError(what, where=str(path), found=listed, hint="Use an original copy.")
+        raise RecordingError(what, where=str(path), found=listed, hint="Use an undamaged copy.")
 
 
 def check_end(metadata: Any, path: Path) -> list[Finding]:
@@ -53,10 +53,10 @@ def check_end(metadata: Any, path: Path) -> list[Finding]:
     last = max(_ends(content, footer), default=start)
     if last > start:
         what = Phrase(
-            "according to its footer, its last {last} bytes contain data: it is damaged",
+            "according to its footer, the last {last} bytes of the file contain data: the file is damaged",
             last=last - start,
         )
-        raise RecordingError(what, where=str(path), hint="Use an original copy.")
+        raise RecordingError(what, where=str(path), hint="Use an undamaged copy.")
     return surplus(last, start, str(path))
 
 

@@ -113,7 +113,7 @@ def pulse_speed(
     circumference = 2.0 * math.pi * positive_si(radius, "m", where=f"{where}: radius")
     if per_turn < 1:
         raise RecordingError(
-            "not a number of pulses per revolution",
+            "invalid number of pulses per revolution",
             where=where,
             found=per_turn,
             allowed="1 or more",
@@ -151,7 +151,7 @@ def edges(time: Array, signal: Array, *, where: str = "pulses") -> Array:
     between = float(np.mean(np.abs(signal - middle) < _HYSTERESIS * height))
     if height <= 0.0 or height < _LEAST_CONTRAST * scatter or between > _NOT_BETWEEN:
         raise RecordingError(
-            "no pulses: the signal has no two levels",
+            "no pulses: the signal does not alternate between two levels",
             where=where,
             found=f"{low:.4g} to {high:.4g}",
             hint="Was the sensor connected, and is this its column?",

@@ -152,7 +152,7 @@ def check_ascending(
     if np.any(steps <= 0.0):
         row = int(np.argmax(steps <= 0.0)) + 1
         raise RecordingError(
-            Phrase("{name} does not ascend at {name_row}", name=name, name_row=name_row(row)),
+            Phrase("{name} does not increase at {name_row}", name=name, name_row=name_row(row)),
             where=where,
             found=f"{values[row]:.9g} {unit} after {values[row - 1]:.9g} {unit}",
             allowed=Phrase("strictly ascending {name}", name=name),
@@ -169,12 +169,12 @@ def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> Non
             Phrase("not a finite number at {name_row}", name_row=name_row(row)),
             where=at,
             found=str(values[row]),
-            hint="Fill the gap or cut it off.",
+            hint="Fill the gap or cut off the rows.",
         )
     if values.size and (largest := float(np.abs(values).max())) > OVER_RANGE:
         row = int(np.argmax(np.abs(values)))
         raise RecordingError(
-            Phrase("not a measured value at {name_row}", name_row=name_row(row)),
+            Phrase("implausible value at {name_row}", name_row=name_row(row)),
             where=at,
             found=f"{largest:g}",
             hint="Is it the code for a missing or over-range value?",

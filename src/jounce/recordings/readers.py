@@ -147,7 +147,7 @@ def _check_shape(table: ColumnTable, reader: Reader, path: Path) -> None:
         if not _is_signal(column.values):
             raise RecordingError(
                 Phrase(
-                    "a column is not an array of real numbers: the reader {name!r} does not support this file",
+                    "a column does not contain real numbers: the reader {name!r} does not support this file",
                     name=reader.name,
                 ),
                 where=f"{path}: {column.label}",
@@ -224,7 +224,7 @@ def _rename(table: ColumnTable, header: str) -> ColumnTable:
     if len(heads) != len(table):
         raise RecordingError(
             Phrase(
-                "the given header names {count} columns, the file has {second_count}",
+                "the given header names {count} columns, but the file has {second_count}",
                 count=len(heads),
                 second_count=len(table),
             ),
@@ -349,11 +349,11 @@ def _select_group(
                 else "several groups contain signals",
                 where=str(path),
                 found=", ".join(filter(None, groups)) or "none",
-                hint=nearest(variable, groups) or "Select one with variable.",
+                hint=nearest(variable, groups) or "Select a group with variable.",
             )
         return variable, groups[variable]
     if not groups:
-        raise RecordingError("no variable with numbers over time", where=str(path))
+        raise RecordingError("no numeric variable over time", where=str(path))
     return next(iter(groups.items()))
 
 
@@ -462,7 +462,7 @@ def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
     if variable and variable not in fitting:
         raise RecordingError(
             Phrase(
-                "the given header names {width} columns, {variable!r} has {shape}",
+                "the given header names {width} columns, but {variable!r} has {shape}",
                 width=width,
                 variable=variable,
                 shape=arrays[variable].shape[1],
@@ -478,7 +478,7 @@ def _select_matrix(arrays: dict[str, Array], variable: str, width: int, path: Pa
             ),
             where=str(path),
             found=sizes or "none",
-            hint="Select one with variable.",
+            hint="Select a group with variable.",
         )
     return variable or fitting[0]
 
@@ -508,10 +508,12 @@ def _read_tdms(path: Path, options: ReaderOptions) -> SignalTable:
     groups, wanted = {group.name: group for group in file.groups()}, options.variable
     if wanted not in groups and (wanted or len(groups) != 1):
         raise RecordingError(
-            Phrase("no group {wanted!r}", wanted=wanted) if wanted else "not exactly one group",
+            Phrase("no group {wanted!r}", wanted=wanted)
+            if wanted
+            else "the file has no group or several",
             where=str(path),
             found=", ".join(sorted(groups)) or "none",
-            hint="Select one with variable.",
+            hint="Select a group with variable.",
         )
     group = groups[wanted] if wanted in groups else next(iter(groups.values()))
     where = f"{path}: group {group.name!r}"
@@ -630,11 +632,11 @@ def _read_mdf(path: Path, options: ReaderOptions) -> SignalTable:
         hint = ""
         if has_frames:
             hint = (
-                "None of its bus frames is in the database."
+                "The database contains none of the bus frames of the file."
                 if options.database
-                else "It holds bus frames: give the database (.dbc) that decodes them."
+                else "The file contains bus frames: give the database (.dbc) that decodes them."
             )
-        raise RecordingError("no numeric channel over time", where=str(path), hint=hint)
+        raise RecordingError("no numeric channel that varies over time", where=str(path), hint=hint)
     signals = _by_clock(list(clocks.values()), path, options, findings=tuple(findings))
     return replace(signals, long_names=long_names, attributes=attributes)
 
@@ -867,7 +869,9 @@ def _within(rows: list[list[Any]], area: str, path: Path) -> list[list[Any]]:
     match = _AREA.fullmatch(area.upper())
     if match is None or (match[1] == "") != (match[3] == ""):
         allowed = "rows or cells of a sheet, e.g. 'Run 1!5:300' or 'Run 1!A5:D300'"
-        raise RecordingError("not a range", where=f"{path}: variable", found=area, allowed=allowed)
+        raise RecordingError(
+            "invalid range", where=f"{path}: variable", found=area, allowed=allowed
+        )
     first, last = (_place(match[1]), _place(match[3]) + 1) if match[1] else (0, None)
     top, bottom = int(match[2]), int(match[4])
     return [
@@ -923,7 +927,7 @@ def _select_sheet(sheets: Mapping[str, list[list[Any]]], variable: str, path: Pa
     if not likely:
         raise RecordingError("no sheet with numbers", where=str(path), found=", ".join(sheets))
     if len(likely) > 1:
-        hint = "Select one: variable = 'SHEET' (--variable), or 'SHEET!5:300' for some of its rows."
+        hint = "Select a sheet: variable = 'SHEET' (--variable), or 'SHEET!5:300' for some of its rows."
         raise RecordingError(
             "several sheets contain numbers", where=str(path), found=", ".join(likely), hint=hint
         )

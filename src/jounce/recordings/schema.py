@@ -281,7 +281,7 @@ def check_recording(dataset: xr.Dataset, *, where: str = "recording") -> None:
     check_units(dataset, where=where)
     time = np.asarray(dataset["time"].values)
     if not bool(np.all(np.diff(time) > 0.0)):
-        raise RecordingError("time does not ascend strictly", where=where)
+        raise RecordingError("time does not increase strictly", where=where)
     for name, variable in dataset.data_vars.items():
         finite = np.isfinite(variable.values)
         if not finite.all():
@@ -300,7 +300,7 @@ def check_units(dataset: xr.Dataset, *, where: str = "recording") -> None:
         raise RecordingError("no time coordinate", where=where, allowed="a coordinate 'time' in s")
     unit = dataset["time"].attrs.get("units")
     if not is_spelling(unit, "s"):
-        what = "time has no unit" if unit is None else "time has another unit"
+        what = "time has no unit" if unit is None else "time has the wrong unit"
         raise RecordingError(what, where=where, found=unit, allowed="an attribute 'units' of 's'")
     for name, variable in dataset.data_vars.items():
         _check_channel(str(name), variable, where)
@@ -323,7 +323,7 @@ def _check_channel(name: str, variable: xr.DataArray, where: str) -> None:
         unit, channel_unit(name)
     ):  # a command has the unit of its actuator
         raise RecordingError(
-            "the channel has another unit", where=at, found=unit, allowed=channel_unit(name)
+            "the channel has a different unit", where=at, found=unit, allowed=channel_unit(name)
         )
     if variable.dtype.kind not in "fiu":
         raise RecordingError(

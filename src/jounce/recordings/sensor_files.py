@@ -51,7 +51,7 @@ def read_sensors(path: Path | str) -> dict[str, Sensor]:
     given = table.get(key)
     if not isinstance(given, Mapping) or not given:
         allowed = (
-            "[channels.COLUMN] with the quantity that each measures"
+            "[channels.COLUMN] with the quantity of each channel"
             if is_laboratory
             else '[sensors."sprung.az"]'
         )
@@ -87,7 +87,7 @@ def _channel_entry(column: str, entry: Any, where: str) -> tuple[str, dict[str, 
     """Return the channel measured by a column of a laboratory's card, and the keys of its sensor."""
     if not isinstance(entry, Mapping) or not isinstance(entry.get("measures"), str):
         raise DescriptionError(
-            "its measured quantity is missing",
+            "the quantity that it measures is missing",
             where=f"{where}.{column}",
             allowed='measures = "sprung.az"',
         )

@@ -41,7 +41,7 @@ class ChannelUnit(Unit):
         match = _LEADING_NUMBER.match(text) if len(text) < _LONGEST_VALUE else None
         if isinstance(value, bool) or not isinstance(value, (int, float, str)) or match is None:
             allowed = "'<number> <unit of the channel>' or a number in SI"
-            raise error_at((), "not a physical value", found=as_found(value), allowed=allowed)
+            raise error_at((), "invalid physical value", found=as_found(value), allowed=allowed)
         if self.at_least is not None and float(match[0]) < self.at_least:
             allowed = Phrase("at least {bound:g}", bound=self.at_least)
             raise error_at((), "out of range", found=as_found(value), allowed=allowed)

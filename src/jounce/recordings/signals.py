@@ -241,14 +241,14 @@ def resample(time: ArrayLike, values: ArrayLike, sample_rate: float) -> tuple[Ar
         )
     if instants.ndim != 1 or instants.size < 2 or signals.shape[:1] != instants.shape:
         raise RecordingError(
-            "time and values do not fit together",
+            "time and values do not match",
             where="resample",
             found=f"shapes {instants.shape} and {signals.shape}",
-            allowed="as many values as instants, at least two",
+            allowed="equal numbers of values and instants, at least two",
         )
     _check_finite(instants, signals)
     if not np.all(np.diff(instants) > 0.0):
-        raise RecordingError("time does not ascend strictly", where="resample")
+        raise RecordingError("time does not increase strictly", where="resample")
     wanted = uniform_instants(float(instants[0]), float(instants[-1]), sample_rate)
     return wanted, read_at(instants, signals, wanted, sample_rate)
 
@@ -263,7 +263,7 @@ def uniform_instants(first: float, last: float, sample_rate: float) -> Array:
             where="resample",
             found=f"{duration:g} s in steps of {1.0 / sample_rate:g} s",
             allowed=Phrase("up to {most_instants:g}", most_instants=_MOST_INSTANTS),
-            hint="Is time in the unit stated by the file?",
+            hint="Is the time in the unit that the file states?",
         )
     return np.asarray(
         np.minimum(first + np.arange(math.floor(count) + 1) / sample_rate, last), dtype=float

@@ -69,7 +69,7 @@ def _signals(dataset: xr.Dataset) -> dict[str, xr.DataArray]:
         if channel.dims != ("time",) or channel.dtype.kind not in _NUMBERS:
             shape = f"{channel.dtype.name} over ({', '.join(map(str, channel.dims))})"
             raise OutputError(
-                "not a channel of numbers over time",
+                "not a numeric channel over time",
                 where=str(name),
                 found=shape,
                 allowed="numbers over (time)",
@@ -117,7 +117,7 @@ def _check_texts(dataset: xr.Dataset, *, attributes: bool) -> None:
                     where=where,
                     found=text,
                     allowed="Unicode without NUL; non-empty names, and units without control characters",
-                    hint="Change it, or leave it out.",
+                    hint="Correct the value, or leave it out.",
                 )
 
 

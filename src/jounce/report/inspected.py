@@ -254,7 +254,7 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     """
     if len(records) > len(_AXLES):
         raise DescriptionError(
-            "too many records", where="records", found=len(records), allowed="one of each axle"
+            "too many records", where="records", found=len(records), allowed="one per axle"
         )
     paths = [existing_file(file, RecordingError) for file in records]
     deciding = check_methods(methods)

@@ -207,7 +207,8 @@ class CornerSignals:
             middle, (below, above) = mean(deflection), self.stop_gaps
             if below is None or above is None:
                 raise RecordingError(
-                    "no available travel is given, nor both stops' gaps", where=self.name
+                    "neither the available travel nor the gaps of both stops are given",
+                    where=self.name,
                 )
             rebound, bump = below + middle, above - middle
         if not (rebound > 0.0 and bump > 0.0):

@@ -200,8 +200,8 @@ def _check_signal(values: ArrayLike, sample_rate: float) -> tuple[Array, float]:
     )
     if signal.ndim != 1 or signal.size < 2 or not sample_rate > 0.0:
         raise RecordingError(
-            "not a signal",
+            "invalid signal",
             found=f"shape {signal.shape} at {sample_rate:g} Hz",
-            allowed="at least 2 samples at a rate",
+            allowed="at least 2 samples, with a sample rate",
         )
     return signal, sample_rate

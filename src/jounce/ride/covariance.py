@@ -76,7 +76,7 @@ def check_stable(values: Complex) -> None:
             where="stationary response",
             found=f"eigenvalue {worst.real:.4g} {worst.imag:+.4g}j 1/s",
             allowed="negative real parts",
-            hint="Is there a damper? Hysteresis and friction without a rate have no linear model that comes to rest.",
+            hint="Does the rig have a damper? The linear model of hysteresis or friction alone does not come to rest.",
         )
 
 
@@ -90,7 +90,7 @@ def relative(model: Matrices, values: Complex) -> Relative:
         raise SimulationError(
             "the model depends on the acceleration of the road, like a wheel without a tyre",
             where="stationary response",
-            hint="Give the rig a tyre.",
+            hint="Add a tyre to the rig.",
         )
     b, d = (np.moveaxis(part, -3, 0) for part in (model.B, model.D))
     e = -np.linalg.solve(model.A, b[0])

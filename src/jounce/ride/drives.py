@@ -54,10 +54,10 @@ def check_single_recording(out: Path | None, control: Sequence[str] | None, **_:
     if out is not None and len(names) > 1:
         listed = ", ".join(map(str, names))
         raise DescriptionError(
-            "a file holds a single run",
+            "a file can hold only one run",
             where="--out",
             found=listed,
-            allowed="one --control with --out",
+            allowed="a single --control with --out",
         )
 
 

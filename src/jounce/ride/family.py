@@ -184,7 +184,7 @@ class LinearFamily:
                 changed = self.rig.with_changes({path: value + float(step)})
                 return np.asarray((_geometry(changed, self.wheels) - first) / step)
         raise DescriptionError(
-            "no value other than this one is allowed",
+            "this parameter cannot be changed here",
             where=f"parameters: {path}",
             found=f"{value:g} m",
         )

@@ -92,7 +92,10 @@ def _pair(given: Any, where: str) -> Pair:
     if isinstance(given, (list, tuple)):
         if len(given) != 2:
             raise DescriptionError(
-                "not a pair", where=where, found=given, allowed="rebound and bump, e.g. 0.06, 0.08"
+                "two values are required",
+                where=where,
+                found=given,
+                allowed="rebound and bump travel, e.g. 0.06, 0.08",
             )
         rebound, bump = (
             None if value is None else to_si(value, "m", where=where) for value in given
@@ -364,9 +367,9 @@ def _time(run: xr.Dataset, settling: float | str) -> tuple[float, int, float]:
     check_recording(run)
     time = np.asarray(run["time"].values, dtype=float)
     if check_time(time, where="recording")[1]:
-        hint = "Read it with read_recording, or resample it."
+        hint = "Read the file with read_recording, or resample the signal."
         raise RecordingError(
-            "time is not uniform", where="recording", allowed="constant steps", hint=hint
+            "the time steps are not uniform", where="recording", allowed="constant steps", hint=hint
         )
     duration = float(time[-1] - time[0])
     skipped = to_si(settling, "s", where="settling")

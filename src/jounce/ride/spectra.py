@@ -270,7 +270,9 @@ def channel_transfer(
     time = np.asarray(run["time"].values, dtype=float)
     if check_time(time, where="recording")[1]:
         raise RecordingError(
-            "time is not uniform", where="recording", hint="Resample the recording first."
+            "the time steps are not uniform",
+            where="recording",
+            hint="Resample the recording first.",
         )
     rate = (time.size - 1) / float(time[-1] - time[0])
     first = math.ceil(settling * rate - 1e-6)  # rounding must not skip an additional sample
@@ -321,7 +323,7 @@ def third_octaves(spectrum: Spectrum) -> Bands:
     highest = math.floor(10.0 * math.log10(float(spectrum.frequency[-1]) / _HALF_BAND) + 1e-9)
     if highest < lowest:
         raise RecordingError(
-            "the spectrum resolves no third-octave band",
+            "the spectrum does not resolve any third-octave band",
             found=f"{spectrum.resolution:g} Hz up to {spectrum.frequency[-1]:g} Hz",
             hint="Use longer segments.",
         )
@@ -339,7 +341,8 @@ def _check_signal(values: ArrayLike, sample_rate: float, what: str) -> Array:
             where=what,
             found=f"shape {signal.shape} at {sample_rate:g} Hz",
             allowed=Phrase(
-                "at least {fewest_samples} samples at a rate", fewest_samples=_FEWEST_SAMPLES
+                "at least {fewest_samples} samples, with a sample rate",
+                fewest_samples=_FEWEST_SAMPLES,
             ),
         )
     if not np.isfinite(signal).all():

@@ -162,9 +162,7 @@ def road_trial(
     beyond = behind if all(side.ends_level() for side in (left, right) if side is not None) else 0.0
     longest = (road.end() + beyond) / velocity
     if duration is None and longest <= 0.0:
-        raise DescriptionError(
-            "the road ends where it begins", where="road", hint="Give the duration."
-        )
+        raise DescriptionError("the road has no length", where="road", hint="Give the duration.")
     run_time = longest if duration is None else positive_si(duration, "s", where="duration")
     road.check_covers(velocity * run_time, behind=beyond, where="duration")
     _check_fine_enough(road, velocity)
@@ -374,13 +372,14 @@ class RideStudy(Plain):
             if ride.control == control:
                 return ride
         allowed = ", ".join(ride.control for ride in self.rides)
-        raise DescriptionError("no ride of that controller", where=control, allowed=allowed)
+        raise DescriptionError("no ride with this controller", where=control, allowed=allowed)
 
     def recording(self) -> xr.Dataset:
         """Return the signals of the only ride, SI."""
         if len(self.rides) != 1:
             raise DescriptionError(
-                "a recording holds one ride", found=", ".join(ride.control for ride in self.rides)
+                "a recording can hold only one ride",
+                found=", ".join(ride.control for ride in self.rides),
             )
         return self.rides[0].run
 
@@ -450,7 +449,9 @@ def drive(rig: Rig, trial: RideTrial | Trial, control: AnyControl | None = None)
     for missing in metrics.absent:
         if missing.metric == "weighted_rms":
             raise RecordingError(
-                missing.reason, where=missing.place, hint="Drive for longer (duration)."
+                missing.reason,
+                where=missing.place,
+                hint="Increase the duration of the ride (duration).",
             )
     metrics = replace(metrics, findings=(*metrics.findings, *findings_of(run.attrs)))
     return Ride(control_name(control), run, metrics, _merits(metrics), trial.settling)

@@ -159,7 +159,7 @@ def _band(band: tuple[float, float] | Literal["iso"] | None) -> tuple[float, flo
         low, high = math.nan, math.nan
     if not (0.0 < low < high < math.inf):
         raise DescriptionError(
-            "not a band of spatial frequencies",
+            "invalid band of spatial frequencies",
             where="band",
             found=str(band),
             allowed='"iso" or (low, high) in 1/m',
@@ -171,7 +171,7 @@ def _check(surface: Surface) -> None:
     # Chosen limits; ISO 8608 uses 2.
     if not (math.isfinite(surface.waviness) and 0.0 < surface.waviness < 4.0):
         raise DescriptionError(
-            "out of range", where="waviness", found=surface.waviness, allowed="above 0, below 4"
+            "out of range", where="waviness", found=surface.waviness, allowed="above 0 and below 4"
         )
     if surface.cut_off is not None and not (
         math.isfinite(surface.cut_off) and surface.cut_off > 0.0
@@ -181,7 +181,7 @@ def _check(surface: Surface) -> None:
         )
     if surface.cut_off is not None and (surface.waviness != _TWO or surface.density is not None):
         raise DescriptionError(
-            "a cut-off belongs to a road of waviness 2", where="cut_off", found=surface.cut_off
+            "a cut-off applies only to a road of waviness 2", where="cut_off", found=surface.cut_off
         )
     if surface.band is not None:
         return

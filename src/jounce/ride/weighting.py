@@ -130,7 +130,8 @@ def check_duration(name: str, duration: float, *, where: str) -> None:
             where=where,
             found=f"{duration:g} s",
             allowed=Phrase(
-                "{shortest:g} s or more, one period of its lower limit", shortest=row.shortest
+                "{shortest:g} s or more, one period of the lower frequency limit",
+                shortest=row.shortest,
             ),
         )
 
@@ -246,7 +247,7 @@ def _check_signal(values: ArrayLike, sample_rate: float, row: Weighting, start: 
         raise unknown(str(start), STARTS, what="start of the record", where=at)
     if signal.ndim != 1 or signal.size < 2:
         raise RecordingError(
-            "not a signal", where=at, found=f"shape {signal.shape}", allowed="at least 2 samples"
+            "invalid signal", where=at, found=f"shape {signal.shape}", allowed="at least 2 samples"
         )
     if not np.isfinite(signal).all():
         sample = int(np.argmin(np.isfinite(signal)))

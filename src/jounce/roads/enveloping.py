@@ -113,7 +113,8 @@ class Enveloped(RoadOf):
                 )
         if self.cam_exponent <= 1.0:
             what = Phrase(
-                "cam_exponent {exponent:g} gives a cam with corners", exponent=self.cam_exponent
+                "cam_exponent {exponent:g} produces a cam with sharp corners",
+                exponent=self.cam_exponent,
             )
             raise error_at((), what, allowed=Phrase("above {bound:g}", bound=1.0))
 
@@ -226,7 +227,7 @@ def contact_length(
     """
     if min(load, stiffness, radius) <= 0.0:
         raise DescriptionError(
-            "not a loaded tyre",
+            "a loaded tyre needs positive values",
             found=f"{load} N, {stiffness} N/m, {radius} m",
             allowed="values above 0",
         )

@@ -178,7 +178,7 @@ def _without_schema(table: dict[str, Any], where: str) -> dict[str, Any]:
             "not a road file",
             where=where,
             found=schema,
-            allowed=Phrase('schema = "{schema}", or none', schema=SCHEMA),
+            allowed=Phrase('schema = "{schema}", or no schema line', schema=SCHEMA),
         )
     return {key: value for key, value in table.items() if key != "schema"}
 

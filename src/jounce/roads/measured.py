@@ -131,7 +131,7 @@ class Crg(SampledRoad):
             and not self.start <= -behind <= distance - behind <= self.end()
         ):
             raise DescriptionError(
-                "the run leaves the course, and the option BORDER_MODE_U = 0 says that there is no road",
+                "the run leaves the course, and BORDER_MODE_U = 0 states that there is no road beyond its ends",
                 where=str(self.file),
                 found=f"{0.0 - behind:g} to {distance - behind:g} m",
                 allowed=Phrase("{start:g} to {end:g} m", start=self.start, end=self.end()),
@@ -267,17 +267,17 @@ def _file_points(key: _Key) -> tuple[Array, Array]:
     steps = np.diff(x)
     if (steps < 0.0).all():
         raise RecordingError(
-            Phrase("{name} runs backwards", name=name),
+            Phrase("{name} decreases", name=name),
             where=f"{file}: column {table[name].label!r}",
             found=f"{x[0]:g} to {x[-1]:g} {unit}",
-            hint="Reverse the order of the rows: the run goes towards larger values.",
+            hint="Reverse the order of the rows: the vehicle drives towards larger values.",
         )
     stays = np.flatnonzero(steps <= 0.0)
     if len(stays):
         i = int(stays[0])
         raise RecordingError(
             Phrase(
-                "{name} does not ascend from row {i} to row {second_i}",
+                "{name} does not increase from row {i} to row {second_i}",
                 name=name,
                 i=i + 1,
                 second_i=i + 2,
@@ -416,7 +416,7 @@ def _read(file: str) -> Any:
                 road = road.apply_mods()
     except FileNotFoundError as error:
         raise RecordingError(
-            _one_line(error, file), where=file, hint="Put it there or change the name."
+            _one_line(error, file), where=file, hint="Copy the file there, or correct the name."
         ) from None
     except (
         ValueError,
@@ -448,7 +448,7 @@ def _read(file: str) -> Any:
         raise RecordingError(
             Phrase("the OpenCRG file is damaged or contradicts itself: {text}", text=text),
             where=file,
-            hint="Use an original copy.",
+            hint="Use an undamaged copy.",
         )
     return road
 
@@ -551,7 +551,7 @@ def _check_heights(road: Any, height: Array, offset: float, file: str) -> None:
         raise RecordingError(
             Phrase("the OpenCRG file is damaged: {damage}", damage=damage),
             where=file,
-            hint="Use an original copy.",
+            hint="Use an undamaged copy.",
         )
     if not np.isfinite(height).all():
         bad = int(np.flatnonzero(~np.isfinite(height))[0])

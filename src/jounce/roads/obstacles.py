@@ -222,7 +222,7 @@ class CircularSegment(Road):
     def check(self) -> None:
         """Reject heights above half the length."""
         if abs(self.height) > 0.5 * self.length * (1.0 + 1e-9):
-            text = "height {height:g} m is more than a half-cylinder of length {length:g} m has"
+            text = "the height {height:g} m exceeds that of a half-cylinder of length {length:g} m"
             most = Phrase("up to {most:g} m", most=0.5 * self.length)
             raise error_at((), Phrase(text, height=self.height, length=self.length), allowed=most)
 
@@ -390,8 +390,10 @@ class Train(RoadOf):
         length = self.of.profile().span
         if self.count > 1 and self.pitch < length * (1.0 - 1e-9):
             what = Phrase(
-                "the obstacles overlap: pitch {pitch:g} m (start to start) is shorter than the length {length:g} m "
-                "of one",
+                (
+                    "the obstacles overlap: the pitch {pitch:g} m (start to start) is shorter than the "
+                    "obstacle length {length:g} m"
+                ),
                 pitch=self.pitch,
                 length=length,
             )

@@ -105,7 +105,7 @@ def _check_options(
     for option, value, example in (("--speed", speed, "1.95 m/s"), ("--duration", duration, "3 s")):
         if value is None:
             raise DescriptionError(
-                Phrase("{option} is missing; a road needs it", option=option),
+                Phrase("{option} is missing; every road requires it", option=option),
                 allowed=f'{option} "{example}"',
             )
     if speed is not None and speed <= 0.0:

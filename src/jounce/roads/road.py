@@ -91,14 +91,14 @@ class Road(Description, ABC):
         )
         if not (np.isfinite(distance) and distance > 0.0):
             raise DescriptionError(
-                "not a distance to drive", found=f"{distance} m", allowed="above 0 m and finite"
+                "invalid driving distance", found=f"{distance} m", allowed="above 0 m and finite"
             )
         if not distance > SHORTEST * abs(behind):  # otherwise start and end are the same float
             raise DescriptionError(
-                "the wheel is too far behind the front axle for its road to be laid out",
+                "the wheel is implausibly far behind the front axle",
                 found=f"{behind:g} m",
                 allowed=Phrase(
-                    "up to {distance:.0e} m where {second_distance:g} m are driven",
+                    "up to {distance:.0e} m for a run of {second_distance:g} m",
                     distance=distance / SHORTEST,
                     second_distance=distance,
                 ),
@@ -216,7 +216,7 @@ class Road(Description, ABC):
         at = as_samples(x, "m", where="x", error=DescriptionError)
         if not np.isfinite(at).all():
             raise DescriptionError(
-                "not a distance", found="NaN or infinity", allowed="finite distances in m"
+                "invalid distance", found="NaN or infinity", allowed="finite distances in m"
             )
         low, high = (float(at.min()), float(at.max())) if at.size else (0.0, 0.0)
         height, slope = self._between(min(low, 0.0) - 1.0, max(high, 0.0) + 1.0).evaluate(

@@ -82,7 +82,7 @@ def as_roughness(road: str | float, *, where: str = "") -> float:
         roughness = math.nan
     if not (math.isfinite(roughness) and roughness > 0.0):
         raise DescriptionError(
-            "not a degree of roughness", where=where, found=road, allowed="above 0 m^3, or A to H"
+            "invalid degree of roughness", where=where, found=road, allowed="above 0 m^3, or A to H"
         )
     return roughness
 
@@ -493,7 +493,7 @@ class SineSum(Road):
         if self.step > 0.25 * shortest:  # a cubic over a quarter wave has a height error of 1.6 %
             raise ValueError(
                 Phrase(
-                    "points every {step:g} m do not follow waves of {shortest:g} m; make step smaller",
+                    "points every {step:g} m cannot represent waves of {shortest:g} m; make step smaller",
                     step=self.step,
                     shortest=shortest,
                 )

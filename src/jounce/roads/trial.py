@@ -82,18 +82,18 @@ class Load(Description):
         if (self.value is None) == (not self.time):
             raise ValueError("give either value (with start and ramp), or time and values")
         if self.time and (self.start or self.ramp):
-            raise ValueError("start and ramp go with value; points have their own times")
+            raise ValueError("start and ramp apply to value only; points have their own times")
         if len(self.time) != len(self.values) or len(self.time) == 1:
             raise ValueError(
                 Phrase(
-                    "time has {count} numbers and values has {second_count}; give as many, at least 2",
+                    "time has {count} numbers and values has {second_count}; give equal numbers of both, at least 2",
                     count=len(self.time),
                     second_count=len(self.values),
                 )
             )
         for a, b in pairwise(self.time):
             if b <= a:
-                raise ValueError(Phrase("time does not ascend: {a:g} s, then {b:g} s", a=a, b=b))
+                raise ValueError(Phrase("time does not increase: {a:g} s, then {b:g} s", a=a, b=b))
         return self
 
     def segments(self, duration: float) -> Segments:
@@ -354,7 +354,7 @@ class SpeedOverTime(Description):
         if len(self.time) != len(self.speed) or len(self.time) < 2:
             raise ValueError(
                 Phrase(
-                    "time has {count} numbers and speed has {second_count}; give as many, at least 2",
+                    "time has {count} numbers and speed has {second_count}; give equal numbers of both, at least 2",
                     count=len(self.time),
                     second_count=len(self.speed),
                 )
@@ -368,7 +368,7 @@ class SpeedOverTime(Description):
             )
         for a, b in pairwise(self.time):
             if b <= a:
-                raise ValueError(Phrase("time does not ascend: {a:g} s, then {b:g} s", a=a, b=b))
+                raise ValueError(Phrase("time does not increase: {a:g} s, then {b:g} s", a=a, b=b))
         return self
 
     def distance_over_time(self, duration: float) -> tuple[Array, Array]:
@@ -453,7 +453,9 @@ class Trial(Description):
                 (), Phrase("{given} given", given=given), allowed="road and speed, or excitation"
             )
         if self.speeds is not None and self.road is None:
-            raise ValueError("speeds are given without a road; an excitation is in time already")
+            raise ValueError(
+                "speeds are given without a road; an excitation is already a function of time"
+            )
         if self.speeds is not None and "duration" in self.model_fields_set:
             mean = float(self.speeds.distance_over_time(self.duration)[1][-1]) / self.duration
             if self.speed is not None and abs(self.speed / mean - 1.0) > _SAME_MEAN:
@@ -466,16 +468,14 @@ class Trial(Description):
                 )
             object.__setattr__(self, "speed", mean)
         if self.road is not None and self.speed is None:
-            raise ValueError(
-                "the speed is missing; a road is driven over at a speed, e.g. speed = '1.95 m/s'"
-            )
+            raise ValueError("the speed is missing; a road needs a speed, e.g. speed = '1.95 m/s'")
         if self.excitation is not None and self.speed is not None:
             raise ValueError(
-                "a speed is given with an excitation, which is in time already; leave out the speed"
+                "a speed does not apply to an excitation, which is already a function of time; leave out the speed"
             )
         if self.right is not None and self.road is None:
             raise ValueError(
-                "a road under the right wheels is given without road, the one under the left wheels"
+                "right is given without road: the right wheels have a road, the left ones none"
             )
         if "duration" not in self.model_fields_set:
             object.__setattr__(self, "duration", self._default_duration())

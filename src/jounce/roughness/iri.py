@@ -289,7 +289,7 @@ def _check_spacing(x: Array, z: Array, place: str) -> float:
         _check_finite(values, f"{place}: {name}")
     if np.all(np.diff(x) < 0.0):
         raise RecordingError(
-            "distance runs backwards", where=place, hint="Reverse the order of the rows."
+            "the distance decreases", where=place, hint="Reverse the order of the rows."
         )
     steps = check_ascending(x, "distance", "m", where=place)
     spacing = float(x[-1] - x[0]) / (x.size - 1)
@@ -301,7 +301,7 @@ def _check_spacing(x: Array, z: Array, place: str) -> float:
             Phrase("the samples are not evenly spaced: see row {row}", row=row + 1),
             where=place,
             found=f"a step of {steps[row - 1]:.6g} m",
-            allowed=Phrase("{usual:.6g} m within 1 %, as in the rest", usual=usual),
+            allowed=Phrase("{usual:.6g} m within 1 %, as elsewhere in the profile", usual=usual),
             hint="Is a row missing, or was distance written with too few digits?",
         )
     return spacing
@@ -314,7 +314,7 @@ def _check_finite(values: Array, where: str) -> None:
     inside = np.flatnonzero(~bad)
     row = int(np.argmax(bad))
     padding = inside.size > 0 and not bad[inside[0] : inside[-1] + 1].any()
-    hint = "Cut the padding off." if padding else "Fill the gap, or evaluate the parts one by one."
+    hint = "Cut off the padding." if padding else "Fill the gap, or evaluate the parts separately."
     what = Phrase(
         "{count} values are not finite numbers, the first at row {row}",
         count=int(bad.sum()),
@@ -350,7 +350,7 @@ def _check_lengths(
             where=place,
             found=f"{total:g} m",
             allowed=Phrase(
-                "at least {run_up:g} m: {second_run_up:g} m give the state at the start, {base:g} m one slope",
+                "at least {run_up:g} m: {second_run_up:g} m to settle the initial state and {base:g} m for one slope",
                 run_up=run_up + base,
                 second_run_up=run_up,
                 base=base,
@@ -462,7 +462,7 @@ class ProfileRoughness(Plain):
     faces={"segment": "100 m", "offset": "0 m"},
     page="jounce.report.models:profile_page",
     title="Roughness of {profile}",
-    doing="driving the quarter car of the index",
+    doing="running the quarter car of the IRI",
     example='jounce iri track.csv --segment "100 m"',
 )
 def profile_roughness(
@@ -544,7 +544,7 @@ def _bare_columns(file: Path) -> tuple[Array, Array, list[Finding]]:
         row = _numbers(cells)
         if row is None or len(row) != 2:
             raise RecordingError(
-                "not two numbers",
+                "two numbers are required",
                 where=at_line(file, number),
                 found=" ".join(cells),
                 allowed="distance and height",
@@ -554,7 +554,7 @@ def _bare_columns(file: Path) -> tuple[Array, Array, list[Finding]]:
                 "not a finite number",
                 where=at_line(file, number),
                 found=" ".join(cells),
-                hint="Fill the gap, or cut padding off.",
+                hint="Fill the gap, or cut off the padding.",
             )
         values.append(row)
     table = np.array(values)

@@ -33,7 +33,7 @@ def roughness_class(roughness: float) -> RoadClass:
     """
     if not (math.isfinite(roughness) and roughness > 0.0):
         raise DescriptionError(
-            "not a degree of roughness", found=f"{roughness} m^3", allowed="above 0 m^3"
+            "invalid degree of roughness", found=f"{roughness} m^3", allowed="above 0 m^3"
         )
     place = math.floor(math.log(roughness / (0.5 * MEAN_A), 4.0))
     return CLASSES[min(max(place, 0), len(CLASSES) - 1)]
@@ -73,7 +73,7 @@ def road_psd(road: str | float, n: ArrayLike, *, waviness: float = 2.0) -> Array
     at = as_samples(n, "1/m", where="n", error=DescriptionError)
     if not (np.isfinite(at).all() and (at > 0.0).all()):
         raise DescriptionError(
-            "not a spatial frequency", found="0, negative, or not finite", allowed="above 0 1/m"
+            "invalid spatial frequency", found="0, negative, or not finite", allowed="above 0 1/m"
         )
     return np.asarray(
         as_roughness(road) * (at / REFERENCE) ** -as_number(waviness, "1", where="waviness")
@@ -103,7 +103,7 @@ def white_noise_intensity(road: str | float, speed: float) -> float:
     """
     speed = as_number(speed, "m/s", where="speed")
     if not (math.isfinite(speed) and speed > 0.0):
-        raise DescriptionError("not a speed", found=f"{speed} m/s", allowed="above 0 m/s")
+        raise DescriptionError("invalid speed", found=f"{speed} m/s", allowed="above 0 m/s")
     return 2.0 * math.pi**2 * REFERENCE**2 * as_roughness(road) * speed
 
 
@@ -125,7 +125,7 @@ def filtered_noise(
     intensity = white_noise_intensity(road, speed)
     if not (math.isfinite(cutoff) and cutoff > 0.0):
         raise DescriptionError(
-            "not a spatial frequency", found=f"{cutoff} 1/m", allowed="above 0 1/m"
+            "invalid spatial frequency", found=f"{cutoff} 1/m", allowed="above 0 1/m"
         )
     return 2.0 * math.pi * cutoff * speed, math.sqrt(2.0 * intensity)
 
@@ -243,13 +243,13 @@ def _check_profile(x: ArrayLike, height: ArrayLike) -> tuple[float, Array]:
     at, z = as_samples(x, "m", where="x"), as_samples(height, "m", where="height")
     if at.ndim != 1 or at.shape != z.shape or len(at) < 16:
         raise RecordingError(
-            "not a profile",
+            "invalid profile",
             found=f"{at.shape} distances, {z.shape} heights",
-            allowed="16 or more of both",
+            allowed="at least 16 of both",
         )
     if not (np.isfinite(at).all() and np.isfinite(z).all()):
         raise RecordingError(
-            "the profile holds NaN or infinite values", hint="Fill the gaps or cut them off."
+            "the profile contains NaN or infinite values", hint="Fill the gaps or cut them off."
         )
     steps = np.diff(at)
     step = float((at[-1] - at[0]) / (len(at) - 1))

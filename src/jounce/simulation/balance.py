@@ -65,8 +65,10 @@ def balanced_commands(
         where=where,
         found=f"{gaps} off the force that holds the rig at rest",
         allowed="a force that rises to the load of the rig within its travel",
-        hint="Check signs (compression positive), units and preload; with from_rest = true the rig's own force holds "
-        "at rest, and the FMU gives what changes.",
+        hint=(
+            "Check signs (compression positive), units and preload; with from_rest = true the rig's "
+            "own force holds the equilibrium, and the FMU supplies the change."
+        ),
     )
 
 
@@ -118,5 +120,5 @@ def _check_change(change: Array, where: str) -> None:
             "a force that changes from rest (from_rest) is not zero there",
             where=where,
             found=", ".join(f"{force:.6g} N" for force in change),
-            allowed="0 N without any change of its inputs",
+            allowed="0 N while the inputs do not change",
         )

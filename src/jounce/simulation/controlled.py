@@ -287,7 +287,7 @@ class _Law:
     def _rest_outputs(self) -> Array:
         prepared = self._prepared
         if prepared.equilibrium is None:
-            raise AssertionError("a controlled run starts from rest")
+            raise AssertionError("a controlled run must start from rest")
         where = (
             prepared.equilibrium.x,
             prepared.still,
@@ -317,7 +317,7 @@ class _Law:
         for channel in first.noise:
             if not any(name == channel or name.endswith(f".{channel}") for name in names):
                 raise SimulationError(
-                    "noise on a channel that the model does not have",
+                    "noise is given for a channel that the model does not have",
                     where="control: noise",
                     found=channel,
                     allowed=", ".join(names),
@@ -528,7 +528,7 @@ def check_stable(
             "the closed loop is unstable: small motions grow",
             where=f"control: {loop.first.name}",
             found=f"a pole at {worst.real:.3g} 1/s, {abs(worst.imag) / (2.0 * np.pi):.3g} Hz",
-            hint="Use smaller gains, a faster actuator or a higher control rate (check=False runs it all the same).",
+            hint="Use smaller gains, a faster actuator or a higher control rate (check=False runs it anyway).",
         )
 
 
@@ -559,12 +559,12 @@ def check_coupling(loop: ControlLoop, compiled: Compiled, p: Array, prepared: Pr
             "the coupling is unstable: a force held for a whole period feeds small motions",
             where="control: rate",
             found=growing,
-            allowed=Phrase("{finer:.6g} Hz and more", finer=1.0 / finer),
+            allowed=Phrase("{finer:.6g} Hz or more", finer=1.0 / finer),
             hint=f"Or {_NEARER if loop.element else _DAMPED} (check=False runs it all the same).",
         )
     raise SimulationError(
         "the closed loop is unstable: small motions grow at any rate",
         where=f"control: {loop.first.name}",
         found=growing,
-        hint="Check the signs: forces are compression positive (check=False runs it all the same).",
+        hint="Check the signs: forces are positive in compression (check=False runs the FMU anyway).",
     )

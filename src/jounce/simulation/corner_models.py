@@ -54,7 +54,7 @@ def corner_models(rig: Rig) -> dict[str, CornerModel]:
     gravity = values.get("gravity", 0.0)
     if gravity <= 0.0:
         raise SimulationError(
-            "no gravity: the load of a corner is undefined",
+            "without gravity, the load of a corner is undefined",
             where="gravity",
             found=gravity,
             allowed="above 0 m/s^2",
@@ -120,7 +120,7 @@ def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
             "nothing to control: the body is fixed",
             where="guide",
             found="fixed",
-            allowed="a body that moves",
+            allowed="a body that can move",
         )
     parting = -view.row(body, rates=True)
     if view.has(wheel):
@@ -138,7 +138,7 @@ def _corner(view: _View, prefix: str, gravity: float) -> CornerModel:
     if load <= 0.0:
         place = prefix.removesuffix(".") or "the wheel"
         raise SimulationError(
-            "a corner carries no load of the body", where=place, found=f"{load:.4g} N"
+            "a corner carries no part of the body weight", where=place, found=f"{load:.4g} N"
         )
     return CornerModel(
         load / gravity, mass, spring, stiffness, damping, r, gravity, view.value(deflection)

@@ -222,9 +222,9 @@ def _run(
     """Simulate with sensitivities."""
     values = check_rig(rig).parameters()
     if isinstance(parameters, str) or not parameters or len(set(parameters)) < len(parameters):
-        allowed = "at least one path, each once, in a list"
+        allowed = "a list of at least one path, each only once"
         raise SimulationError(
-            "not a choice of parameters", where="parameters", found=parameters, allowed=allowed
+            "invalid choice of parameters", where="parameters", found=parameters, allowed=allowed
         )
     for path in parameters:
         if path not in values:
@@ -271,5 +271,5 @@ def _check_channel(
         )
     if not (np.isfinite(weight) and weight >= 0.0):
         raise SimulationError(
-            "not a weight", where=f"objective: {name}", found=weight, allowed="0 or more"
+            "invalid weight", where=f"objective: {name}", found=weight, allowed="0 or more"
         )

@@ -84,7 +84,7 @@ class Stepper:
         tolerance: float = 1e-5,
     ) -> None:
         if not (np.isfinite(rate) and rate > 0.0):
-            raise SimulationError("not a rate", where="rate", found=rate, allowed="above 0 Hz")
+            raise SimulationError("invalid rate", where="rate", found=rate, allowed="above 0 Hz")
         loop = close_loop(rig, Passive(damping_coefficient=0.0, actuator=actuator))
         assert loop is not None
         self._compiled = compiled = compile_rig(rig, actuator=loop.actuator)
@@ -131,14 +131,14 @@ class Stepper:
         given = as_samples(commands, where="step", error=SimulationError).ravel()
         if len(given) != len(self.corners) or not np.all(np.isfinite(given)):
             raise SimulationError(
-                "not commands",
+                "invalid commands",
                 where="step",
                 found=given.tolist(),
                 allowed=Phrase("{count} finite numbers", count=len(self.corners)),
             )
         if self.is_finished or self.status is not Status.COMPLETED:
             raise SimulationError(
-                "the run is over", where=f"t = {self.time:.6g} s", hint="Start it again."
+                "the run is over", where=f"t = {self.time:.6g} s", hint="Reset the run."
             )
         out, problem = self._out, self._problem
         problem.tracks.coefficients[self._pieces, 0] = np.clip(
@@ -307,7 +307,7 @@ def _environment_class() -> Any:
 
 def _stepper(rig: Rig, trial: Trial, actuator: AnyActuator, rate: float) -> Stepper:
     if not (np.isfinite(rate) and rate > 0.0):
-        raise SimulationError("not a rate", where="rate", found=rate, allowed="above 0 Hz")
+        raise SimulationError("invalid rate", where="rate", found=rate, allowed="above 0 Hz")
     return Stepper(rig, trial, actuator, rate, samples=max(1, round(1.0 / (rate * _FINEST))))
 
 
@@ -328,7 +328,7 @@ def _weights(
     for word, weight in cost.items():
         if not (np.isfinite(weight) and weight >= 0.0):
             raise SimulationError(
-                "not a weight", where=f"cost: {word}", found=weight, allowed="0 or more"
+                "invalid weight", where=f"cost: {word}", found=weight, allowed="0 or more"
             )
         names = [
             name for corner in run.corners for name in _present(run, corner, [word], list(default))

@@ -85,7 +85,7 @@ _SETTLED, _UNBALANCED, _SHARE_OF_NEUTRAL = (
     1e-6,
     0.1,
 )  # relative step, relative rate at rest, share in a motion
-_HINT = "Check masses, springs, stops and where it starts: something must carry every weight."
+_HINT = "Check masses, springs, stops and the initial pose: every weight must be supported."
 
 
 def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a default
@@ -163,7 +163,7 @@ def simulate_mechanism(  # noqa: PLR0913 - all but two are settings with a defau
     seconds = to_si(duration, "s", where="duration")
     if not seconds > 0.0:
         raise SimulationError(
-            "not a duration", where="duration", found=f"{seconds:g} s", allowed="above 0 s"
+            "invalid duration", where="duration", found=f"{seconds:g} s", allowed="above 0 s"
         )
     times = RunSettings(output_step, tolerance, method).times(seconds)
     if redundant not in ("refuse", "remove"):
@@ -274,7 +274,9 @@ def _values(mechanism: Mechanism, values: Mapping[str, float | str]) -> dict[str
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
         raise SimulationError(
-            "parameters without a value", where=", ".join(lacking), hint="Give them in values."
+            "some parameters have no value",
+            where=", ".join(lacking),
+            hint="Give the values of the parameters in values.",
         )
     mechanism.check_values(every)
     return every
@@ -287,16 +289,18 @@ def _motions(mechanism: Mechanism, motions: Mapping[str, Segments]) -> dict[str,
         if not isinstance(motion, Segments):
             hint = "Use constant(), constant_rate(), harmonic(), step() or interpolated() of jounce.mechanics."
             raise SimulationError(
-                "not a motion", where=f"motions: {name}", found=str(motion), hint=hint
+                "invalid motion", where=f"motions: {name}", found=str(motion), hint=hint
             )
         if not (np.all(np.isfinite(motion.coefficients)) and np.all(np.isfinite(motion.edges))):
             raise SimulationError(
-                "not a motion", where=f"motions: {name}", found="not a finite number"
+                "invalid motion", where=f"motions: {name}", found="not a finite number"
             )
     lacking = [name for name in mechanism.tracks if name not in motions]
     if lacking:
         raise SimulationError(
-            "tracks without a motion", where=", ".join(lacking), hint="Give them in motions."
+            "some tracks have no motion",
+            where=", ".join(lacking),
+            hint="Give the motions of the tracks in motions.",
         )
     return {name: motion.with_finite_slopes() for name, motion in motions.items()}
 
@@ -374,9 +378,12 @@ def _prepare(
         names = [
             name for name, value in zip(facts.states, rate, strict=True) if not np.isfinite(value)
         ]
-        hint = "Check the forces and the start."
+        hint = "Check the forces and the initial state."
         raise SimulationError(
-            "the start has no finite rates", where=", ".join(names), found="not a number", hint=hint
+            "the rates at the start are not finite",
+            where=", ".join(names),
+            found="not a number",
+            hint=hint,
         )
     pace, duration = (
         np.linalg.eigvals(compiled.evaluate("rate_x", x, u, p, modes)),
@@ -601,7 +608,9 @@ def _at_rest(
             if falling:
                 names = ", ".join(dict.fromkeys(motion_of_speed(name) for name in falling))
                 raise SimulationError(
-                    "no static equilibrium was found: nothing supports it", where=names, hint=_HINT
+                    "no static equilibrium was found: nothing supports the weight",
+                    where=names,
+                    hint=_HINT,
                 )
             neutral = np.any(
                 np.abs((directions @ right[decided:].T)[: len(others)]) > _SHARE_OF_NEUTRAL, axis=1

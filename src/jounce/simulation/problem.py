@@ -116,9 +116,12 @@ def _refuse_shifts(rig: Rig, trial: Trial, free: tuple[str, ...]) -> None:
         return
     if any(place.behind for place in rig.wheels.values()):
         raise SimulationError(
-            "derivatives by the wheelbase on a road are not available: it changes when the rear axle meets the road",
+            (
+                "derivatives by the wheelbase are not available on a road: the wheelbase determines when "
+                "the rear axle meets the road"
+            ),
             where=f"parameters: {shifting[0]}",
-            allowed="other parameters; on a flat road, an excitation in time, or without delay also this one",
+            allowed="other parameters; this one only on a flat road, with an excitation over time, or without delay",
             hint="Use the difference of two runs.",
         )
 

@@ -48,7 +48,7 @@ def loops_before(rig: Rig, period: float) -> int:
             where="start",
             found=f"an oscillation that decays with {max(decay, 0.0):.3g} 1/s, loops of {period:.3g} s",
             allowed=Phrase("at most {most_loops} loops", most_loops=MOST_LOOPS),
-            hint="Give it a damper, or start at rest.",
+            hint="Add a damper, or start at rest.",
         )
     return max(loops, 1)
 
@@ -69,7 +69,7 @@ def period_of(trial: Trial) -> float:
     road, speed = trial.road, trial.speed
     if road is None or speed is None or road.recurrence is None:
         raise SimulationError(
-            "only a belt can be running before the start: the road does not recur",
+            "only a belt can run before the start, and this road does not recur",
             where="start",
             allowed="rest, or a road with recurrence (the length of the belt)",
         )
@@ -120,7 +120,7 @@ def _count(start: Start) -> int:
         loops = -1
     if not 0 <= loops <= MOST_LOOPS:
         allowed = Phrase("rest, periodic, or 0 to {most_loops} loops", most_loops=MOST_LOOPS)
-        raise SimulationError("not a start", where="start", found=start, allowed=allowed)
+        raise SimulationError("invalid start", where="start", found=start, allowed=allowed)
     return loops
 
 

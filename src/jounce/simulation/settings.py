@@ -75,7 +75,7 @@ class RunSettings:
             object.__setattr__(self, name, as_number(value, si, where=name))
         if not (np.isfinite(self.output_step) and self.output_step > 0.0):
             raise SimulationError(
-                "not an output step",
+                "invalid output step",
                 where="output_step",
                 found=self.output_step,
                 allowed="above 0 s",
@@ -83,11 +83,14 @@ class RunSettings:
         if not _FINEST <= self.tolerance <= COARSEST:
             allowed = Phrase("{finest:g} to {coarsest:g}", finest=_FINEST, coarsest=COARSEST)
             raise SimulationError(
-                "not a tolerance", where="tolerance", found=self.tolerance, allowed=allowed
+                "invalid tolerance", where="tolerance", found=self.tolerance, allowed=allowed
             )
         if self.method not in METHODS:
             raise SimulationError(
-                "not a method", where="method", found=self.method, allowed=", ".join(METHODS)
+                "unknown integration method",
+                where="method",
+                found=self.method,
+                allowed=", ".join(METHODS),
             )
 
     def times(self, duration: float) -> Array:

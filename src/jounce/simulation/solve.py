@@ -70,7 +70,7 @@ def solve(
         loop = close_loop(rig, control)
     if loop and trial.actuator_force is not None:
         raise SimulationError(
-            "the actuator has a controller and a known force",
+            "the actuator has both a controller and a given force",
             where="trial: actuator_force",
             allowed="one of the two",
         )
@@ -84,7 +84,10 @@ def solve(
     signals = excitation(compiled.facts, rig, trial)
     if loop and method == "implicit":
         raise SimulationError(
-            "controlled runs are explicit", where="method", found=method, allowed="auto, explicit"
+            "controlled runs need the explicit method",
+            where="method",
+            found=method,
+            allowed="auto, explicit",
         )
     if loop:
         signals, method = loop.with_rest(compiled, signals, p), "explicit"

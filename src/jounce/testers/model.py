@@ -69,7 +69,9 @@ def tester_model(rig: Rig, form: PlateForm) -> Model:
     }
     if type(rig) not in builders:
         allowed = ", ".join(kind.__name__ for kind in builders)
-        raise AssemblyError("not a rig for a tester", found=type(rig).__name__, allowed=allowed)
+        raise AssemblyError(
+            "this rig does not fit on a tester", found=type(rig).__name__, allowed=allowed
+        )
     return builders[type(rig)](rig, form).finish()
 
 

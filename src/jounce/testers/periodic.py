@@ -66,7 +66,7 @@ def periodic(
     """
     if not (np.isfinite(frequency) and frequency > 0.0):
         raise SimulationError(
-            "not a frequency", where="frequency", found=frequency, allowed="above 0 Hz"
+            "invalid frequency", where="frequency", found=frequency, allowed="above 0 Hz"
         )
     place, rate = place_of(on, wheel), 2.0 * np.pi * frequency
     turns = max(3, int(np.ceil(_BLOCK * frequency)))

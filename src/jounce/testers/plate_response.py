@@ -122,7 +122,10 @@ def steady_response(
 def _steady(linear: LinearTesterRig, frequency: Array, wheel: str) -> SteadyResponse:
     if not np.all(np.isfinite(frequency)) or np.any(frequency <= 0.0):
         raise SimulationError(
-            "not frequencies", where="frequency", found=float(frequency.min()), allowed="above 0 Hz"
+            "invalid frequencies",
+            where="frequency",
+            found=float(frequency.min()),
+            allowed="above 0 Hz",
         )
     place, amplitude = place_of(linear.on, wheel), linear.on.tester.amplitude
     force = linear.transfer(frequency, channel(place, "tyre.force"), place)

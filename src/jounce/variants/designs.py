@@ -320,7 +320,7 @@ def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) ->
     for path, spread in _check_paths(spreads).items():
         if not isinstance(spread, str | Mapping) and not is_list(spread):
             raise DescriptionError(
-                "nothing to spread over", where=path, found=spread, allowed=_FORMS
+                "no distribution is given", where=path, found=spread, allowed=_FORMS
             )
     check_seed(seed)
     return Design(kind, dict(spreads), _count(count), int(seed))
@@ -329,7 +329,10 @@ def _spread(kind: Kind, spreads: Mapping[str, Spread], count: int, seed: int) ->
 def _check_paths(given: object) -> Mapping[str, Any]:
     if not isinstance(given, Mapping) or not given:
         raise DescriptionError(
-            "nothing to vary", where="variants", found=given, allowed="path of a number to values"
+            "no parameter to vary is given",
+            where="variants",
+            found=given,
+            allowed="the path of a parameter and its values",
         )
     return given
 
@@ -345,7 +348,7 @@ def is_list(values: Any) -> bool:
 def _count(count: int) -> int:
     if not is_whole(count) or not 1 <= count <= MOST:
         raise DescriptionError(
-            "not a number of variants",
+            "invalid number of variants",
             where="count",
             found=count,
             allowed=Phrase("1 to {most}", most=MOST),
@@ -448,20 +451,25 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
     ):
         reach = to_si(spread.strip().removeprefix("±"), unit, where=path)
         if not 0.0 < reach < math.inf:
-            raise DescriptionError("not a range", where=path, found=spread, allowed=_FORMS)
+            raise DescriptionError("invalid range", where=path, found=spread, allowed=_FORMS)
         return lambda share: value + reach * (2.0 * share - 1.0)
     if isinstance(spread, str):
         part = _percent(spread, path)
         if value == 0.0:
             raise DescriptionError(
-                "a share of zero", where=path, found=spread, allowed=_FORMS.removeprefix('"20 %", ')
+                "a relative spread around zero has no width",
+                where=path,
+                found=spread,
+                allowed=_FORMS.removeprefix('"20 %", '),
             )
         return lambda share: value + abs(value) * part * (2.0 * share - 1.0)
     if not isinstance(spread, Mapping):
         low, high = _ends(_list(spread, unit, path), path, spread)
         return lambda share: low + (high - low) * share
     if set(spread) not in _SHAPES:
-        raise DescriptionError("not a distribution", where=path, found=dict(spread), allowed=_FORMS)
+        raise DescriptionError(
+            "invalid distribution", where=path, found=dict(spread), allowed=_FORMS
+        )
     if "sd" in spread:
         mean = to_si(spread["mean"], unit, where=f"{path}: mean") if "mean" in spread else value
         given = spread["sd"]
@@ -473,7 +481,7 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
         )
         if not (sd > 0.0 and math.isfinite(sd) and math.isfinite(mean)):
             raise DescriptionError(
-                "not a standard deviation", where=f"{path}: sd", found=given, allowed="above 0"
+                "invalid standard deviation", where=f"{path}: sd", found=given, allowed="above 0"
             )
         from scipy.special import ndtri
 
@@ -486,7 +494,10 @@ def _law(spread: Any, value: float, unit: str, path: str) -> Callable[[Array], A
     mode = to_si(spread["mode"], unit, where=f"{path}: mode")
     if not low <= mode <= high:
         raise DescriptionError(
-            "the mode is outside its range", where=path, found=dict(spread), allowed="low to high"
+            "the mode is outside its range",
+            where=path,
+            found=dict(spread),
+            allowed="a mode between low and high",
         )
     bend = (mode - low) / (high - low)
 
@@ -521,14 +532,14 @@ def _percent(text: str, path: str) -> float:
     except ValueError:
         percent = math.nan
     if not 0.0 < percent < math.inf:
-        raise DescriptionError("not a share", where=path, found=text, allowed=_FORMS)
+        raise DescriptionError("invalid share", where=path, found=text, allowed=_FORMS)
     return percent
 
 
 def _ends(values: Sequence[float], path: str, given: object) -> tuple[float, float]:
     if len(values) != 2 or not values[0] < values[1]:
         raise DescriptionError(
-            "not a range", where=path, found=given, allowed="a lower and a higher value"
+            "invalid range", where=path, found=given, allowed="a lower and a higher value"
         )
     return values[0], values[1]
 

@@ -142,7 +142,7 @@ def read_request(
         raise DescriptionError(
             "channels cannot be stored for runs of different lengths",
             where="outputs",
-            hint="Ask for metrics.",
+            hint="Request metrics.",
         )
     design: dict[str, str | int] = (
         {"design": variants.kind, "seed": variants.seed} if isinstance(variants, Design) else {}
@@ -444,9 +444,9 @@ class VariantStudy:
             or not hasattr(variants, "items")
             or not all(isinstance(path, str) for path in variants)
         ):
-            allowed = "path of a parameter to its values, or a design such as jn.sobol(...)"
+            allowed = "the path of a parameter and its values, or a design such as jn.sobol(...)"
             raise DescriptionError(
-                "nothing to vary", where="variants", found=variants, allowed=allowed
+                "no parameter to vary is given", where="variants", found=variants, allowed=allowed
             )
         else:
             result = {
@@ -459,7 +459,7 @@ class VariantStudy:
             )
         if not 1 <= max(lengths.values()) <= MOST:
             raise DescriptionError(
-                "not a number of variants", where="variants", found=max(lengths.values())
+                "invalid number of variants", where="variants", found=max(lengths.values())
             )
         for path in result:
             of, rest = self.owner(path)

@@ -73,7 +73,7 @@ def read_metrics(texts: Sequence[str] | str, units: Mapping[str, str]) -> list[R
         words = str(text).split()
         if len(words) != 2:
             raise DescriptionError(
-                "not a metric", where="metrics", found=text, allowed="e.g. 'rms sprung.az'"
+                "invalid metric", where="metrics", found=text, allowed="e.g. 'rms sprung.az'"
             )
         if words[0] not in WORDS and words[0] not in WEIGHTINGS:
             known = (*WORDS, *WEIGHTINGS)
@@ -108,7 +108,7 @@ def _unknown_channel(name: str, units: Mapping[str, str]) -> DescriptionError:
     if name not in {row.name for row in CATALOGUE}:
         return error
     hint = Phrase(
-        "{name} is a kinematic quantity, not a channel of a run: use jn.sweep_variants for it.",
+        "{name} is a kinematic quantity, not a channel of a run: use jn.sweep_variants.",
         name=name,
     )
     return DescriptionError(error.what, where=error.where, allowed=error.allowed, hint=hint)

@@ -86,7 +86,9 @@ def sensitivity_indices(many: xr.Dataset, metrics: Sequence[str] | str | None = 
     names, paths = metrics_of(many, metrics), numbers_of(many)
     if not paths:
         raise DescriptionError(
-            "no number varies", where="many", hint="Pass the result of simulate_many or load_sweep."
+            "no parameter varies",
+            where="many",
+            hint="Pass the result of simulate_many or load_sweep.",
         )
     values = np.column_stack([many[path].to_numpy() for path in paths])
     design = str(many.attrs.get("design", "list"))
@@ -152,7 +154,7 @@ def metrics_of(many: xr.Dataset, chosen: Sequence[str] | str | None = None) -> l
             raise unknown(name, known, what="metric", where="metrics")
     if not wanted:
         raise DescriptionError(
-            "the runs have no stored metric", where="metrics", hint="Ask for metrics."
+            "no metric of the runs was stored", where="metrics", hint="Request metrics."
         )
     return wanted
 
@@ -206,7 +208,7 @@ def _estimate_with_ends(
 def _check_count(count: int, least: int) -> None:
     if count < least:
         raise DescriptionError(
-            "too few variants ran",
+            "too few variants have a completed run",
             where="many",
             found=count,
             allowed=Phrase("at least {least}", least=least),

@@ -246,10 +246,13 @@ def _refuse_taken(folder: Path, *, force: bool) -> None:
     if not force and (folder / MANIFEST).is_file():
         shards = read_kept(folder)
         raise OutputError(
-            "the folder holds a sweep",
+            "the folder contains a sweep",
             where=str(folder),
             found=f"{len(shards.names())} of {len(shards.spans)} shards",
-            hint="Go on with --resume (in Python resume=True), or choose another folder; --force drops what is there.",
+            hint=(
+                "Continue with --resume (in Python resume=True), or choose another folder; --force "
+                "discards the existing results."
+            ),
         )
     check_folder(folder, force=force)
 
@@ -359,9 +362,9 @@ def read_kept(folder: Path) -> KeptSweep:
     try:
         if not file.is_file():
             raise OutputError(
-                "the folder holds no sweep",
+                "the folder contains no sweep",
                 where=str(folder),
-                allowed=Phrase("one with {manifest}", manifest=MANIFEST),
+                allowed=Phrase("a folder with {manifest}", manifest=MANIFEST),
             )
         about = json.loads(content_of(file, OutputError))
         shards = KeptSweep(folder, about)
@@ -392,7 +395,7 @@ def study_of(work: VariantWork, columns: Mapping[str, Array]) -> dict[str, Any]:
         raise DescriptionError(
             "a Python function cannot be stored with its results",
             where="control",
-            allowed="a controller by its name or file",
+            allowed="the name or file of a controller",
             hint="Leave out out=, or write the law as a file.",
         )
     described = {"rig": study.rig, "trial": study.trial, "control": study.control}
@@ -460,7 +463,7 @@ def _check_same(shards: KeptSweep, study: Mapping[str, Any]) -> None:
     texts = list(dict.fromkeys(filter(None, texts)))
     more = f" and {len(texts) - _MOST_DIFFERENCES} more" if len(texts) > _MOST_DIFFERENCES else ""
     raise OutputError(
-        "the sweep to be resumed is a different one",
+        "the stored sweep is not the one to be resumed",
         where=str(shards.folder),
         found=f"{'; '.join(texts[:_MOST_DIFFERENCES])}{more}",
         hint="Undo the changes, or start in a different folder.",
@@ -587,7 +590,7 @@ def _check_disk(shards: KeptSweep, work: VariantWork, spans: list[tuple[int, int
             where=str(shards.folder),
             found=_in_words(needed),
             allowed=_in_words(free),
-            hint="Store metrics only, fewer outputs, or use a longer output step.",
+            hint="Store only metrics or fewer outputs, or use a longer output step.",
         )
 
 
@@ -606,9 +609,9 @@ def _lock(folder: Path) -> Iterator[None]:
     held = hold(folder)
     if held is None:
         raise OutputError(
-            "another process works on this sweep",
+            "another process is working on this sweep",
             where=str(folder),
-            hint="Wait for it, or stop it first.",
+            hint="Wait until that process ends, or stop it first.",
         )
     try:
         yield

@@ -125,7 +125,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     _check_threads(threads)
     if not is_whole(workers) or workers < 1:
         raise DescriptionError(
-            "not a number of processes", where="workers", found=workers, allowed="1 or more"
+            "invalid number of processes", where="workers", found=workers, allowed="1 or more"
         )
     work, columns = read_request(
         as_rig(rig),
@@ -148,7 +148,7 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
     ):
         if given:
             hint = "Give out=, a folder in which results are stored during the sweep."
-            raise DescriptionError("needs a folder for the results", where=name, hint=hint)
+            raise DescriptionError("requires a folder for the results", where=name, hint=hint)
     _check_size(count, len(work.channels), len(work.study.settings.times(trial.duration)))
     with report_work(Phrase("simulating {count} variants", count=f"{count:,}".replace(",", " "))):
         return work.run(columns, threads=threads)
@@ -165,7 +165,7 @@ def _as_controller(control: AnyControl | None) -> Controller | None:
 def _check_threads(threads: int | None) -> None:
     if threads is not None and (not is_whole(threads) or threads < 1):
         raise DescriptionError(
-            "not a number of threads", where="threads", found=threads, allowed="1 or more"
+            "invalid number of threads", where="threads", found=threads, allowed="1 or more"
         )
 
 

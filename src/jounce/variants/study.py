@@ -73,7 +73,7 @@ class SweepStudy(Description):
 
     ``trial`` has the keys of a trial; its roads are tables, files, names or classes (``"iso:C"``). ``vary`` maps the
     path of each parameter, or the name of an adjustment, to its range, distribution or values; ``metrics`` are computed
-    from each run, ``outputs`` are channels stored over time, ``control`` is a controller by its name or file.
+    from each run, ``outputs`` are channels stored over time, ``control`` is the name or file of a controller.
     """
 
     schema_: Literal["jounce.sweep/1"] = Field(default=SCHEMA, alias="schema")

@@ -257,12 +257,12 @@ def bands(
     levels = np.asarray(percentiles, dtype=float)
     if levels.ndim != 1 or not len(levels) or not np.all((levels >= 0.0) & (levels <= 100.0)):
         raise DescriptionError(
-            "not percentiles", where="percentiles", found=percentiles, allowed="0 to 100"
+            "invalid percentiles", where="percentiles", found=percentiles, allowed="0 to 100"
         )
     values = many[channel].to_numpy()
     values = values[np.all(np.isfinite(values), axis=1)]
     if not len(values):
-        raise DescriptionError("no variant has a run", where=channel)
+        raise DescriptionError("no variant has a completed run", where=channel)
     about: Mapping[Any, Any] = many[channel].attrs
     return xr.DataArray(
         np.percentile(values, levels, axis=0),

@@ -60,10 +60,12 @@ def sweep_study(
     if resume and force:
         allowed = "one of them"
         raise DescriptionError(
-            "--force starts again, --resume continues", where="--resume, --force", allowed=allowed
+            "--resume to continue, or --force to start again",
+            where="--resume, --force",
+            allowed=allowed,
         )
     if cluster is not None and workers is not None:
-        allowed = "one of them: a cluster has its own workers"
+        allowed = "only only one of them: a cluster has its own workers"
         raise DescriptionError(
             "workers and a cluster are both given", where="--workers, --cluster", allowed=allowed
         )

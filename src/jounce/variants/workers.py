@@ -103,8 +103,10 @@ def on_processes(workers: int, work: VariantWork, tasks: Sequence[Task]) -> Resu
                 raise JounceError(
                     "a worker process was repeatedly killed from outside",
                     found=f"{ends} times in a row, {len(left)} shards left",
-                    hint="Are there enough memory and processes (ulimit -u)? "
-                    "Finished results are kept: resume with fewer workers.",
+                    hint=(
+                        "Check the memory and the process limit (ulimit -u). Finished results are kept: resume "
+                        "with fewer workers."
+                    ),
                 ) from None
 
 
@@ -183,12 +185,17 @@ def cluster_at(address: str) -> Iterator[Any]:
     """Yield a client of the Dask scheduler at an address; raise an error if unreachable or if versions differ."""
     distributed = require("distributed", "cluster")
     logging.getLogger("distributed").setLevel(logging.CRITICAL)  # jounce reports errors once
-    hint = "Start one with: dask scheduler, and on each machine: dask worker ADDRESS --nworkers auto --nthreads 1"
+    hint = (
+        "Start a scheduler with: dask scheduler, and on each machine: dask worker ADDRESS "
+        "--nworkers auto --nthreads 1"
+    )
     try:
         client = distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         cause = " ".join(str(error).split()) or type(error).__name__
-        raise JounceError("no scheduler answers", where=address, found=cause, hint=hint) from None
+        raise JounceError(
+            "the scheduler does not answer", where=address, found=cause, hint=hint
+        ) from None
     with client:
         yield client
 
@@ -207,7 +214,7 @@ def check_cluster(client: Any) -> None:
         client.wait_for_workers(1, timeout=_JOINING)
     except (TimeoutError, distributed.TimeoutError):
         hint: str = Phrase(
-            "Start some: dask worker {where} --nworkers auto --nthreads 1", where=where
+            "Start workers: dask worker {where} --nworkers auto --nthreads 1", where=where
         )
         raise JounceError("no worker has joined the cluster", where=where, hint=hint) from None
     own = _versions()
@@ -268,11 +275,12 @@ def on_cluster(client: Any, work: VariantWork, tasks: Sequence[Task]) -> Results
     except ModuleNotFoundError as error:
         raise _not_there(error) from None
     except distributed.KilledWorker as error:
-        hint = "Is there enough memory? Finished results are kept: resume."
+        hint = "Check the memory. Finished results are kept: resume the sweep."
         raise JounceError("workers were repeatedly killed", found=str(error), hint=hint) from None
     except (distributed.comm.CommClosedError, distributed.CancelledError):
         raise JounceError(
-            "the scheduler is no longer reachable", hint="Finished results are kept: resume."
+            "the scheduler is no longer reachable",
+            hint="Finished results are kept: resume the sweep.",
         ) from None
     finally:
         with suppress(Exception):  # the scheduler may be gone

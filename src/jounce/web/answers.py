@@ -201,7 +201,7 @@ def _measured_part(project: Project, path: str, begins: str, on: Trial) -> xr.Da
     part = record.assign_coords(time=time.assign_attrs(record["time"].attrs))
     part = part.isel(time=((time >= 0.0) & (time <= on.duration)).to_numpy())
     if part.sizes["time"] < 2:
-        hint = "Specify where the trial begins in the recording."
+        hint = "State where the trial begins in the recording."
         raise DescriptionError(
             "the recording does not overlap the trial",
             where="begins",

@@ -107,9 +107,7 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
         bench = document.setdefault("bench", tomlkit.table(is_super_table=True))
         if use == "tyre":
             if not pressure:
-                raise DescriptionError(
-                    "a tyre's measurements are named by their pressure", where="pressure"
-                )
+                raise DescriptionError("tyre measurements need their pressure", where="pressure")
             bench = bench.setdefault("tyre", tomlkit.table(is_super_table=True))
         name = pressure if use == "tyre" else use
         own = bench.setdefault(name, tomlkit.table())
@@ -119,7 +117,10 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
             said = ", ".join(differing)
             hint = "Replace the existing files, or use the same columns for all files."
             raise DescriptionError(
-                "the existing files have other reading options", where=name, found=said, hint=hint
+                "the existing files have different reading options",
+                where=name,
+                found=said,
+                hint=hint,
             )
         for key in _READ:
             own.pop(key, None)
@@ -148,7 +149,7 @@ def _relative(project: Project, campaign: Path, value: Any) -> Any:
         return {**value, "file": _relative(project, campaign, value["file"])}
     file = project.inside(str(value))
     if not file.is_relative_to(campaign.parent):
-        hint = "Upload it there, or copy it."
+        hint = "Upload or copy the file to that folder."
         raise DescriptionError(
             "the file is not in the campaign's folder", where=str(value), hint=hint
         )

@@ -110,7 +110,7 @@ def form_of(
 def _with_value(text: str, keys: Sequence[Key], value: Any) -> str:
     """Set or remove the value at a sequence of keys; the remaining text is unchanged."""
     if not keys:
-        raise DescriptionError("no key", where="sets")
+        raise DescriptionError("no key is given", where="sets")
     try:
         document = tomlkit.parse(text)
         here: Any = document

@@ -120,7 +120,7 @@ class Jobs:
                 )
             clash = next((job for job in running if spec.out and job["out"] == spec.out), None)
             if clash is not None:
-                hint = "Wait for it, or choose another folder."
+                hint = "Wait for that job, or choose another folder."
                 raise OutputError(
                     "another job is writing to this folder",
                     where=spec.out,
@@ -264,7 +264,7 @@ class Jobs:
     def forget(self, name: str) -> None:
         """Remove a finished job from the list; files it wrote into the project are kept."""
         if self.state(name)["state"] in ("running", "cancelling"):
-            raise OutputError("the job is still running", where=name, hint="Cancel it first.")
+            raise OutputError("the job is still running", where=name, hint="Cancel the job first.")
         _remove(self._place(name))
         self.ended.pop(name, None)
         self.read = 0.0
@@ -457,7 +457,7 @@ def _outcome(folder: Path, code: int | None) -> dict[str, Any]:
 
 
 _ADVICE = {
-    "the output exists": "Choose another name.",
+    "the output already exists": "Choose another name.",
     "the output folder is not empty": "Choose another name, or restart the job to replace the existing output.",
 }
 
@@ -479,7 +479,7 @@ def _remove(folder: Path) -> None:
     try:
         shutil.rmtree(folder)
     except (OSError, RecursionError) as error:
-        hint = "Remove it by hand."
+        hint = "Remove the folder by hand."
         raise OutputError(
             "the folder of the job cannot be removed", where=folder.name, hint=hint
         ) from error

@@ -64,17 +64,19 @@ def keep(
     from jounce.recordings import write_recording
 
     if not _NAME.fullmatch(title):
-        allowed = "letters, digits, spaces, dots, dashes; up to 80 of them"
-        raise DescriptionError("not a name for a run", where="title", found=title, allowed=allowed)
+        allowed = "up to 80 letters, digits, spaces, dots or dashes"
+        raise DescriptionError(
+            "invalid name for a run", where="title", found=title, allowed=allowed
+        )
     path = f"{_RUNS}/{title}.nc"
     file = project.inside(path)
-    taken = OutputError("the file exists", where=path, hint="Choose another name.")
+    taken = OutputError("the file already exists", where=path, hint="Choose another name.")
     if file.exists() and _read_entry(_entry(project, path)) is not None:
         raise taken
     saved, on = rig_of(project, name), trial_of(project, trial)
     if digest and digest != digest_of(saved):
-        hint = "Load it again, and make your change there."
-        raise OutputError("the file was changed meanwhile", where=name, hint=hint)
+        hint = "Reload the file and make your change again."
+        raise OutputError("the file has changed since it was loaded", where=name, hint=hint)
     rig = saved.with_changes(dict(changes))
     run = jn.simulate(rig, on)
     made = {

@@ -51,7 +51,9 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     time = next((channel for channel in table if channel.name == "time"), None)
     if time is None or time.values.size < 2:
         raise RecordingError(
-            "no time", where=str(file.name), allowed="a column 'time' with at least two values"
+            "the recording has no time axis",
+            where=str(file.name),
+            allowed="a column 'time' with at least two values",
         )
     count = time.values.size
     step = float(time.values[-1] - time.values[0]) / (count - 1)
@@ -87,7 +89,7 @@ def _is_even(time: Array, step: float, where: str) -> bool:
     for start in range(0, len(time) - 1, _PIECE):
         part = time[start : start + _PIECE + 1]
         if not bool(np.all(part[1:] > part[:-1])):
-            raise RecordingError("time does not ascend", where=where)
+            raise RecordingError("time does not increase", where=where)
         wanted = time[0] + step * np.arange(start, start + len(part))
         even = even and bool(np.abs(part - wanted).max() <= _UNEVEN * step)
     return even

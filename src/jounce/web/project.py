@@ -109,7 +109,7 @@ class Project:
             place /= part
             if place.is_symlink():
                 where = place.relative_to(self.root).as_posix()
-                hint = "Remove it, or replace it by a folder."
+                hint = "Remove the link, or replace it by a folder."
                 raise OutputError(
                     "a link occupies a path reserved for the workbench's own files",
                     where=where,
@@ -197,9 +197,11 @@ class Project:
             before = content_of(file, most=_LONGEST_READ) if file.exists() else None
             if before is not None and _digest(before) != was:
                 hint = (
-                    "Load it again, and make your change there." if was else "Choose another name."
+                    "Reload the file and make your change again." if was else "Choose another name."
                 )
-                what = "the file was changed meanwhile" if was else "the file exists"
+                what = (
+                    "the file has changed since it was loaded" if was else "the file already exists"
+                )
                 raise OutputError(what, where=path, hint=hint)
             file.parent.mkdir(parents=True, exist_ok=True)
             if before is not None:
@@ -294,7 +296,7 @@ def _versions(folder: Path) -> list[str]:
 
 def unusable(error: OSError, where: str) -> OutputError:
     """Convert system errors (full disk, name too long, missing permission) into clear messages."""
-    hint = "Check the path, the permissions and the space on the disk."
+    hint = "Check the path, the permissions and the free disk space."
     return OutputError(
         "cannot be read or written", where=where, found=error.strerror or str(error), hint=hint
     )

@@ -55,7 +55,7 @@ def serve(
         raise DescriptionError(
             "not a folder",
             where=str(folder),
-            hint="Create it, or specify the folder with your files.",
+            hint="Create the folder, or name the folder that contains your files.",
         )
     uvicorn = require("uvicorn", "web")
     from jounce.kernel.apart import compiling_apart

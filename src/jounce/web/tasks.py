@@ -515,6 +515,9 @@ def _store(project: Project, path: str) -> str:
     project.inside(path)
     if not path.endswith((".sqlite", ".db")):
         raise DescriptionError(
-            "not the name of a store", where="store", found=path, allowed="a name ending in .sqlite"
+            "invalid name of a record store",
+            where="store",
+            found=path,
+            allowed="a name ending in .sqlite",
         )
     return _plain(path)

@@ -163,7 +163,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         """Return the report of a short query while it is kept."""
         if key not in pages:
             raise DescriptionError(
-                "the report is no longer available", where="report", hint="Ask again."
+                "the report is no longer available", where="report", hint="Create the report again."
             )
         return _alone(pages[key].encode(), ".html")
 
@@ -173,7 +173,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         file = project.inside(path)
         if file.suffix.lower() not in _KINDS or not file.is_file():
             raise DescriptionError(
-                "not a page or a picture", where="path", found=path, allowed=", ".join(_KINDS)
+                "neither a page nor a picture", where="path", found=path, allowed=", ".join(_KINDS)
             )
         return _alone(_page(file, path), file.suffix.lower())
 
@@ -226,7 +226,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
             raise OutputError("not a measurement file", where=path, allowed=", ".join(_UPLOADED))
         expected, size = int(request.headers.get("content-length", "0")), 0
         if file.exists() and file.stat().st_size != expected:
-            raise OutputError("the file exists", where=path, hint="Choose another name.")
+            raise OutputError("the file already exists", where=path, hint="Choose another name.")
         file.parent.mkdir(parents=True, exist_ok=True)
         temporary = temporary_beside(file)
         try:
@@ -254,7 +254,7 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
 
 def _put_new(temporary: Path, file: Path) -> None:
     """Rename a file, unless the name was taken meanwhile."""
-    taken = OutputError("the file exists", where=file.name, hint="Choose another name.")
+    taken = OutputError("the file already exists", where=file.name, hint="Choose another name.")
     try:
         file.hardlink_to(temporary)
     except FileExistsError:

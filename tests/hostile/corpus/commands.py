@@ -376,7 +376,7 @@ def _verdict(case: tuple[str, str, str]) -> tuple[str, str]:
             value.partition("=")[2][:10] or "--json",
         ]
         places += (
-            ["jounce: .:", "no such file and no shipped", *words[-8:]]
+            ["jounce: .:", "no such file, and no", *words[-8:]]
             if kind in ("nothing", "no text", "")
             else []
         )

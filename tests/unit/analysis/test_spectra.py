@@ -85,7 +85,7 @@ def test_a_file_is_read(tmp_path: Path) -> None:
         ({"band": (60.0, 70.0)}, RecordingError, "the band contains no frequency of the record"),
         ({"band": (5.0, 2.0)}, RecordingError, "the band contains no frequency of the record"),
         ({"window": "hamming"}, DescriptionError, "unknown window"),
-        ({"confidence": 1.0}, DescriptionError, "not a confidence level"),
+        ({"confidence": 1.0}, DescriptionError, "invalid confidence level"),
         ({"end": "0.3 s"}, RecordingError, "too short for a spectrum"),
     ],
 )

@@ -59,7 +59,7 @@ def test_a_force_is_no_free_decay():
         "velocity",
         "acceleration",
     ]
-    with pytest.raises(jn.RecordingError, match=r"channel 'tyre.force': not a motion; found 'N'"):
+    with pytest.raises(jn.RecordingError, match=r"channel 'tyre.force': invalid motion; found 'N'"):
         _quantity("tyre.force")
 
 

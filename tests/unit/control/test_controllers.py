@@ -269,7 +269,7 @@ def test_bad_files_are_refused(tmp_path: Path, text: str, message: str) -> None:
         (lambda: SemiActiveDamper(rate_limit=0.0), "rate_limit"),
         (lambda: ActiveActuator(lag=0.01, bandwidth=20.0), "both lag and bandwidth"),
         (lambda: ActiveActuator(force_limit=-1.0), "force_limit"),
-        (lambda: ADD(actuator=ActiveActuator()), "switches a damper"),
+        (lambda: ADD(actuator=ActiveActuator()), "is for a switched damper"),
         (lambda: Skyhook(rate=0.0), "rate"),
         (lambda: Skyhook(noise={"sprung.colour": 1.0}), "sprung.colour"),
         (lambda: Skyhook(noise={"sprung.az": "1 mm"}), "sprung.az"),

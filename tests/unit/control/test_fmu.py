@@ -81,8 +81,8 @@ def test_a_unit_with_an_offset(tmp_path) -> None:
             ),
             "no binary",
         ),
-        (fmu_component.description(3, v_body="N.s/m"), "the unit does not fit"),
-        (fmu_component.description(3, force="mm/s"), "the unit does not fit"),
+        (fmu_component.description(3, v_body="N.s/m"), "the unit does not match"),
+        (fmu_component.description(3, force="mm/s"), "the unit does not match"),
         (fmu_component.description(3, v_strut="furlong/kg"), "wrong unit"),
         (fmu_component.description(3).replace('valueReference="4"', ""), "no value reference"),
         (
@@ -91,7 +91,7 @@ def test_a_unit_with_an_offset(tmp_path) -> None:
         ),
         (
             fmu_component.description(3).replace('factor="0.001"', 'factor="0"'),
-            "a unit of factor 0",
+            "a unit with a factor of 0",
         ),
         (fmu_component.description(3).replace('factor="0.001"', 'factor="1,2"'), "not a number"),
         (
@@ -122,15 +122,15 @@ def test_what_cannot_be_run_is_refused_before_the_run(tmp_path, text, what) -> N
     [
         ({"inputs": {"v_bodi": "sprung.vz"}}, "unknown input 'v_bodi'.*v_body"),
         ({"inputs": {"v_body": "sprung.v"}}, "unknown channel 'sprung.v'"),
-        ({"inputs": {"v_body": "sprung.z"}}, "the unit does not fit"),
+        ({"inputs": {"v_body": "sprung.z"}}, "the unit does not match"),
         ({"output": "coefficients"}, "unknown output.*coefficient"),
-        ({"output": "force"}, "the unit does not fit"),
+        ({"output": "force"}, "the unit does not match"),
         ({"output": None}, "several outputs"),
         ({"output": None, "outputs": {"left": "coefficient"}}, "outputs are given by corner"),
         ({"parameters": {"gane": 1.0}}, "unknown parameter 'gane'.*gain"),
         ({"parameters": {"gain": "3 m"}}, "wrong unit"),
-        ({"parameters": {"mistake": 1.5}}, "not a value of its type"),
-        ({"parameters": {"is_on": 2.0}}, "not a value of its type"),
+        ({"parameters": {"mistake": 1.5}}, "the value has the wrong type"),
+        ({"parameters": {"is_on": 2.0}}, "the value has the wrong type"),
     ],
 )
 def test_names_and_units_that_do_not_fit(tmp_path, changes, what) -> None:

@@ -149,9 +149,9 @@ def test_a_truth_takes_0_and_1_and_nothing_else(arrays) -> None:
 
 def test_arrays_are_given_in_lists(described) -> None:
     for given, what in (
-        ({"K": 1.0}, r"not the values of an array.*2 x 3 values in a list, or K\[1,1\] to \[2,3\]"),
-        ({"K": [1.0, 2.0]}, "not the values of an array"),
-        ({"K": [[1.0, 2.0, 3.0], [4.0]]}, "not the values of an array"),
+        ({"K": 1.0}, r"not a list of array values.*2 x 3 values in a list, or K\[1,1\] to \[2,3\]"),
+        ({"K": [1.0, 2.0]}, "not a list of array values"),
+        ({"K": [[1.0, 2.0, 3.0], [4.0]]}, "not a list of array values"),
         ({"K": [[1.0, 2.0, 3.0], [4.0, 5.0, "x"]]}, "K"),
         (
             {"K[3,1]": 1.0},
@@ -162,8 +162,8 @@ def test_arrays_are_given_in_lists(described) -> None:
             {"i[1]": 40000},
             "out of the range of its type; found 40000; allowed: Int16, -32768 to 32767",
         ),
-        ({"i[1]": 1.5}, "not a value of its type; found 1.5"),
-        ({"on": [True, 2]}, "not a value of its type; found 2; allowed: true, false, 0, 1"),
+        ({"i[1]": 1.5}, "the value has the wrong type; found 1.5"),
+        ({"on": [True, 2]}, "the value has the wrong type; found 2; allowed: true, false, 0, 1"),
         ({"count": 4}, "count: a structural parameter defines array sizes"),
         ({"kount": 4}, "unknown parameter 'kount'"),
     ):

@@ -77,7 +77,7 @@ def test_what_fits_an_annotation(hint: Any, fitting: list[Any], others: list[Any
         (lambda: jn.update_model([RUN], {"sprung.mass": 0.1}), r"trials\[0\]: a Dataset was given.*jn.FitTrial\(name"),
         (lambda: jn.update_model([jn.FitTrial("a", RIG, RIG, RUN)], {"sprung.mass": 0.1}), r"trial: a QuarterCar"),
         (lambda: jn.load(RIG), r"load: name: a QuarterCar was given; allowed: a text or a path"),
-        (lambda: jn.estimate_roughness(X, X, band=(0.1, None)), r"band\[1\]: not a physical value; found 'None'"),
+        (lambda: jn.estimate_roughness(X, X, band=(0.1, None)), r"band\[1\]: invalid physical value; found 'None'"),
     ],
 )  # fmt: skip
 def test_the_message_names_the_argument(call: Callable[[], object], message: str) -> None:

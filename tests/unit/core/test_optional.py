@@ -73,6 +73,6 @@ def test_the_error_says_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "typst", None)
     with pytest.raises(
         MissingPackageError,
-        match=r"'typst' is not installed\. Install it with: pip install 'typst>=0.13'",
+        match=r"'typst' is not installed\. Install the package with: pip install 'typst>=0.13'",
     ):
         require("typst", "pdf")

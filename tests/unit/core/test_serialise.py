@@ -55,6 +55,6 @@ def test_other_suffixes_and_existing_files_are_refused(tmp_path: Path):
     ):
         FORMATS.check(tmp_path / "axle.doc")
     file = FORMATS.write(Axle(()), tmp_path / "axle.txt")
-    with pytest.raises(OutputError, match="the output exists"):
+    with pytest.raises(OutputError, match="the output already exists"):
         FORMATS.write(Axle(()), file)
     FORMATS.write(Axle(()), file, force=True)

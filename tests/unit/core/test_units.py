@@ -89,7 +89,7 @@ def test_words_that_are_units() -> None:
 def test_a_size_whose_inverse_is_no_number(text: str) -> None:
     """`design springs --frequency "1e-300 Hz"` and `export road --step "5e-324 m"` were internal errors."""
     with pytest.raises(
-        DescriptionError, match=r"an impossible size.*0, and sizes from 1e-100 to 1e\+30 m"
+        DescriptionError, match=r"an impossible value.*0, and magnitudes from 1e-100 to 1e\+30 m"
     ):
         to_si(text, "m")
     assert to_si("0 m", "m") == 0.0

@@ -124,13 +124,13 @@ def test_a_front_over_a_spread(car):
     ("change", "words"),
     [
         ({"cases": {}}, "no case"),
-        ({"cases": {"rough": ROUGH, "other": ROUGH}}, "no metric uses it"),
+        ({"cases": {"rough": ROUGH, "other": ROUGH}}, "no metric uses this case"),
         ({"cases": {"rough": {"road": "C", "sped": 3.0}}}, "unknown key"),
         ({"cases": {"rough": {"travel": [-0.01, 0.01]}}}, "quantity"),
         ({"objective": "smooth: sprung.az"}, "unknown case"),
         ({"objective": "rough: p95 sprung.az", "spread": None}, "percentile needs a spread"),
-        ({"samples": 1}, "not a number of samples"),
-        ({"spread": {"sprung.mas": "5 %"}}, "no such parameter"),
+        ({"samples": 1}, "invalid number of samples"),
+        ({"spread": {"sprung.mas": "5 %"}}, "unknown parameter"),
         (
             {"spread": {"sprung.mass": ["-1 kg", "500 kg"]}},
             "exceeds the allowed range, from -1 to 500 kg",

@@ -74,11 +74,11 @@ def test_a_rocker_that_is_off_changes_the_motion_ratio_alone() -> None:
 @pytest.mark.parametrize(
     ("rig", "made", "words"),
     [
-        (FRONT, {"points": "0 mm"}, "nothing deviates"),
+        (FRONT, {"points": "0 mm"}, "the spread contains no deviation"),
         (FRONT, {"exact": {"tie_rod_iner": "1 mm"}}, "tie_rod_inner"),
         (FRONT, {"points": "1 mm", "adjust": ["strut_angle"]}, "tie_rod_length"),
         (FRONT, {"points": "1 mm", "adjust": ["tie_rod_lenght"]}, "tie_rod_length"),
-        ("semi-trailing-arm", {"links": "1 mm"}, "nothing deviates"),  # it has none
+        ("semi-trailing-arm", {"links": "1 mm"}, "the spread contains no deviation"),  # it has none
     ],
 )
 def test_what_cannot_be_asked_of_a_spread(rig: str, made: dict, words: str) -> None:
@@ -124,5 +124,5 @@ def test_a_spread_passes_over_a_rig_without_targets() -> None:
     task = read_task(rigs, {"front.hardpoints.tie_rod_inner": "5 mm"}, [{**TOE, "rig": "front"}])
     spread = Spread(points="1 mm", cars=2)
     replace(task, spread=spread).check_spread(task.read()[2])
-    with pytest.raises(jn.DescriptionError, match="nothing deviates"):
+    with pytest.raises(jn.DescriptionError, match="the spread contains no deviation"):
         replace(task, spread=Spread(points=0.0)).check_spread(task.read()[2])

@@ -99,7 +99,7 @@ def test_rigs_that_are_in_no_template(tmp_path: Path, name: str, message: str) -
 
 def test_more_than_the_wheel_has(tmp_path: Path) -> None:
     rig = jn.load("sedan-double-wishbone")
-    with pytest.raises(jn.OutputError, match="more than the mass of the body"):
+    with pytest.raises(jn.OutputError, match="more than the whole mass of the body"):
         write_chrono(rig, tmp_path / "out.json", wheel_mass=100.0)
     with pytest.raises(jn.OutputError, match="no wheel body"):
         write_chrono(jn.load("kart-double-wishbone"), tmp_path / "out.json", wheel_mass=1.0)

@@ -68,7 +68,7 @@ def test_the_shortest_paths_and_what_is_none():
     assert bouc_wen_path(np.zeros(0), 400.0, 3.0, 1.6, 0.5).shape == (0,)
     assert bouc_wen_path(np.ones(1), 400.0, 3.0, 1.6, 0.5) == [0.5]
     for path in (np.ones((2, 2)), [0.0, np.nan], [0.0, np.inf]):
-        with pytest.raises(DescriptionError, match="displacement: not a path"):
+        with pytest.raises(DescriptionError, match="displacement: invalid path"):
             bouc_wen_path(path, 400.0, 3.0, 1.6, 0.0)
     given = {"rate": 400.0, "sigma": 3.0, "exponent": 1.6, "start": 0.0}
     for name, bad in (

@@ -513,18 +513,18 @@ def test_a_prior_narrows_and_draws(wrong):
 @pytest.mark.parametrize(
     ("given", "doubt", "message"),
     [
-        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}, None, "a prior needs doubt"),
+        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0.1 N/mm"]}, None, "a prior requires doubt"),
         (
             {"bounds": "15 %", "prior": ["22.7 N/mm"]},
             {},
             "invalid bounds for a parameter with a prior",
         ),
         ({"prior": ["22.7 N/mm", "0.1 N/mm"]}, {}, "invalid bounds for a parameter with a prior"),
-        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0 N/mm"]}, {}, "not a standard deviation"),
+        ({"bounds": "15 %", "prior": ["22.7 N/mm", "0 N/mm"]}, {}, "invalid standard deviation"),
         ({"bounds": "15 %", "prior": ["22.7 kg", "0.1 N/mm"]}, {}, "unit"),
         ("15 %", {"heigth": "1 %"}, "heigth"),
         ("15 %", {"height": "-1 %"}, "height"),
-        ("15 %", {"values": {"unsprung.mas": "1 %"}}, "no such parameter"),
+        ("15 %", {"values": {"unsprung.mas": "1 %"}}, "unknown parameter"),
         ("15 %", {"values": {"unsprung.mass": "-1 %"}}, "below zero"),
     ],
 )

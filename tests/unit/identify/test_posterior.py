@@ -261,11 +261,11 @@ def test_the_gain_of_a_trial_agrees_with_sampling(rig):
         ({"draws": 10}, "invalid number of draws"),
         ({"draws": True}, "invalid number of draws"),
         ({"predicted_with": 1}, "invalid number of draws"),
-        ({"seed": -1}, "not a seed"),
-        ({"seed": 1.5}, "not a seed"),
-        ({"doubt": 3}, "not an uncertainty"),
+        ({"seed": -1}, "invalid seed"),
+        ({"seed": 1.5}, "invalid seed"),
+        ({"doubt": 3}, "invalid uncertainty"),
         ({"free": {}}, "no free parameter"),
-        ({"free": {"strut.spring.rat": "5 %"}}, "no such parameter"),
+        ({"free": {"strut.spring.rat": "5 %"}}, "unknown parameter"),
         ({"trials": []}, "no trial to fit"),
     ],
 )
@@ -281,9 +281,9 @@ def test_what_a_posterior_refuses(rig, change, words):
 
 def test_two_trials_of_one_name_are_refused(rig, found):
     both = [jn.FitTrial("one", rig, TRIAL, jn.simulate(rig, TRIAL)[["sprung.az"]])] * 2
-    with pytest.raises(FitError, match="trials: two trials with the same name; found 'one'"):
+    with pytest.raises(FitError, match="trials: two trials have the same name; found 'one'"):
         jn.posterior(both, FREE)
-    with pytest.raises(FitError, match="predict: two trials with the same name; found 'one'"):
+    with pytest.raises(FitError, match="predict: two trials have the same name; found 'one'"):
         jn.posterior(both[:1], FREE, predict=both)
 
 

@@ -77,11 +77,23 @@ def test_a_known_stiffness_of_a_rotation_is_compared():
 @pytest.mark.parametrize(
     ("quantity", "given", "words"),
     [
-        ("angle", {"mass": 16.0}, "a record of this quantity requires an inertia"),
-        ("angle", {"mass": 16.0, "inertia": 0.8}, "a record of this quantity requires an inertia"),
+        (
+            "angle",
+            {"mass": 16.0},
+            "a record of this quantity needs the inertia of the oscillating body",
+        ),
+        (
+            "angle",
+            {"mass": 16.0, "inertia": 0.8},
+            ("a record of this quantity needs the inertia of the oscillating body"),
+        ),
         ("angle", {}, "no inertia given"),
         ("angle", {"inertia": -0.8}, "the inertia is not positive"),
-        ("velocity", {"inertia": 0.8}, "a record of this quantity requires a mass"),
+        (
+            "velocity",
+            {"inertia": 0.8},
+            "a record of this quantity needs the mass of the oscillating body",
+        ),
         ("velocity", {}, "no mass given"),
         ("velocity", {"mass": 0.0}, "the mass is not positive"),
     ],

@@ -150,8 +150,8 @@ def test_relative_and_absolute_bounds() -> None:
         ({"strut.spring.rat": "10 %"}, "u: strut.spring.rat: .*Did you mean 'strut.spring.rate'"),
         ({RATE: "0 %"}, "u: strut.spring.rate: the range must be above zero; found '0 %'"),
         ({RATE: -0.1}, "the range must be above zero"),
-        ({RATE: ["1 N/mm"]}, "not a pair of bounds"),
-        ({RATE: 3 + 4j}, "not a pair of bounds"),
+        ({RATE: ["1 N/mm"]}, "invalid pair of bounds"),
+        ({RATE: 3 + 4j}, "invalid pair of bounds"),
         ({RATE: ["20 N/mm", "20 N/mm"]}, "the lower bound must be below the upper"),
         (
             {RATE: ["40 N/mm", "50 N/mm"]},
@@ -160,7 +160,7 @@ def test_relative_and_absolute_bounds() -> None:
         ({RATE: ["1 N/mm", "2 N/mm"]}, "the bounds exclude the start value"),
         (
             {"strut.spring.preload": "10 %"},
-            "strut.spring.preload: a relative range of a zero start value",
+            "strut.spring.preload: a relative range needs a nonzero start value",
         ),
     ],
 )
@@ -188,7 +188,7 @@ def test_bounds_with_a_prior() -> None:
         (given | {"more": 1}, "invalid bounds for a parameter with a prior"),
         (given | {"prior": ["22 N/mm"]}, "invalid bounds for a parameter with a prior"),
         (given | {"prior": 3.0}, "invalid bounds for a parameter with a prior"),
-        (given | {"prior": ["22 N/mm", 0.0]}, "not a standard deviation; found 0"),
+        (given | {"prior": ["22 N/mm", 0.0]}, "invalid standard deviation; found 0"),
     ):
         with pytest.raises(jn.FitError, match=f"u: {re.escape(RATE)}: {message}"):
             bounds_and_priors(RIG, {RATE: bad}, "u")
@@ -303,10 +303,10 @@ def test_doubts_are_shares_or_in_the_unit_of_what_is_doubted() -> None:
         == 0.0
     )
     with pytest.raises(
-        jn.DescriptionError, match=r"doubt: sprung\.mass: an uncertainty below zero; found '-2 %'"
+        jn.DescriptionError, match=r"doubt: sprung\.mass: a negative uncertainty; found '-2 %'"
     ):
         own_doubt(RIG, MASS, "-2 %", "doubt")
-    with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mas: no such parameter"):
+    with pytest.raises(jn.DescriptionError, match=r"doubt: sprung\.mas: unknown parameter"):
         own_doubt(RIG, "sprung.mas", "2 %", "doubt")
 
 

@@ -39,15 +39,15 @@ def trials() -> list[jn.FitTrial]:
         ),
         (
             {"weights": {"sprung.az": -1.0}},
-            r"weights: sprung.az: not a weight; found -1.0; allowed: 0 or more",
+            r"weights: sprung.az: invalid weight; found -1.0; allowed: 0 or more",
         ),
-        ({"weights": {"sprung.az": float("nan")}}, "weights: sprung.az: not a weight"),
+        ({"weights": {"sprung.az": float("nan")}}, "weights: sprung.az: invalid weight"),
         ({"weights": {"tyre.force": 1.0}}, r"one: no channel of the recording has a weight; found"),
         ({"starts": 0}, "invalid number of starts; found 0; allowed: 1 or more"),
         ({"align": "lag", "lag_bound": 0.0}, "invalid largest lag"),
         ({"align": "lags"}, "unknown alignment; found 'lags'"),
         ({"method": "bgfs"}, "unknown method; found 'bgfs'; allowed: bfgs, least-squares"),
-        ({"tolerance": -1e-8}, "tolerance: not a tolerance; found -1e-08; allowed: 1e-13 to 0.1"),
+        ({"tolerance": -1e-8}, "tolerance: invalid tolerance; found -1e-08; allowed: 1e-13 to 0.1"),
     ],
 )
 def test_impossible_settings_are_refused(trials, settings, message):
@@ -189,7 +189,7 @@ def test_what_is_no_recording_is_refused_by_what_is_wrong(
     for wrong, text in (
         (gap, "trial 1: sprung.az: sample 51 is not a finite number"),
         (in_g, "another unit; found 'g'; allowed: m/s"),
-        (record.isel(time=slice(None, None, -1)), "time does not ascend"),
+        (record.isel(time=slice(None, None, -1)), "time does not increase"),
         (record.isel(time=slice(0, 0)), "too few samples; found 0"),
         (record.isel(time=slice(0, 1)), "too few samples; found 1"),
     ):

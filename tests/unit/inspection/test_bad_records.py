@@ -75,7 +75,7 @@ def test_good_record_has_no_findings(car_run, load, left_record, eusama):
         ),
         (
             lambda record: record["time"].assign_attrs(units="ks"),
-            "time has another unit; found 'ks'",
+            "time has the wrong unit; found 'ks'",
         ),
     ],
 )
@@ -100,7 +100,7 @@ CHANGES = {
     "jitter": (lambda t, z, f: (t + 3e-4 * np.sin(1e5 * t), z, f), "the time step jitters"),
     "time that falls": (
         lambda t, z, f: (np.where(t > 3.0, t - 1.0, t), z, f),
-        "time does not ascend",
+        "time does not increase",
     ),
     "no sweep": (lambda t, z, f: (t[:2450], 1.0 * z[:2450], f[:2450]), "sweep is missing"),
     "cut off": (
@@ -312,7 +312,7 @@ def test_wrong_questions(car_run, load, left_record, eusama):
         evaluate(record, eusama, methods=["eusma"])
     with pytest.raises(DescriptionError, match="method of a sprung plate 'egea'"):
         evaluate(record, load_tester("boge"), methods=["egea"])
-    with pytest.raises(RecordingError, match="no plate force of any wheel"):
+    with pytest.raises(RecordingError, match="the record has no plate force"):
         evaluate(record.drop_vars("left.plate.force"), eusama)
 
 

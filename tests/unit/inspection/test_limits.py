@@ -111,7 +111,7 @@ def test_conditions_and_differences_of_egea() -> None:
         ('colour = "red"', 'colour = "#f00"', "found '#f00'"),
         ('version = "1"', 'versoin = "1"', "Did you mean 'version'?"),
         ("from = 0.13", "from = nan", "not a finite number"),
-        ("from = 0.13", "from = true", "not a physical value"),
+        ("from = 0.13", "from = true", "invalid physical value"),
         ("jounce.limits/1", "jounce.rig/1", "the schema line is missing or wrong"),
     ],
 )

@@ -41,7 +41,7 @@ def test_the_walk_starts_nearest_to_design() -> None:
     ("values", "text"),
     [
         ([], "not a list of values"),
-        ([[0.0, 1.0]], "not a physical value"),
+        ([[0.0, 1.0]], "invalid physical value"),
         (np.zeros((1, 2)), "not a list of values"),
         ([0.0, np.nan], "not a finite number"),
         ([0.0, np.inf], "not a finite number"),

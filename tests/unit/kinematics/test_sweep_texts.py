@@ -45,7 +45,7 @@ def test_angles_take_texts_too(sweep):
     [
         ({HEIGHT: ["180 mm", "19 kg"]}, [0.0], r"changes: hardpoints.tie_rod_inner\[2\]\[1\].*kg"),
         ({HEIGHT: ["high"]}, [0.0], "high"),
-        ({HEIGHT: [None]}, [0.0], "not a physical value"),
+        ({HEIGHT: [None]}, [0.0], "invalid physical value"),
         ({HEIGHT: [0.18]}, ["0 mm", "10 kg"], r"travel\[1\].*kg"),
         ({HEIGHT: [0.18]}, ["0 mm", "-10 mm", "5 mm"], "are not monotonic"),
         ({HEIGHT: [0.18], RATE: ["1 mm", "2 mm"]}, [0.0], "different lengths"),

@@ -106,9 +106,9 @@ def test_prepared_sweeps_run_again() -> None:
 
 def test_a_trailing_arm_has_no_rack() -> None:
     arm = jn.load("semi-trailing-arm")
-    with pytest.raises(jn.DescriptionError, match="no rack moves this wheel"):
+    with pytest.raises(jn.DescriptionError, match="this wheel has no steering rack"):
         jn.sweep_travel(arm, 0.0, 0.01)
-    with pytest.raises(jn.DescriptionError, match="no rack moves this wheel"):
+    with pytest.raises(jn.DescriptionError, match="this wheel has no steering rack"):
         jn.sweep_rack(arm, [0.0, 0.01])
     assert jn.sweep_travel(arm, 0.0, 0.0)["camber"].shape == (1,)
 

@@ -52,7 +52,7 @@ def test_out_of_reach_is_missing_and_does_not_spoil_the_next() -> None:
     ("changes", "text"),
     [
         ({}, "no variants"),
-        ({"hardpoints.upper_ball[0]": [0.0]}, "no such parameter"),
+        ({"hardpoints.upper_ball[0]": [0.0]}, "unknown parameter"),
         ({"sprung.mass": [300.0]}, "has no effect on the kinematics"),
         ({"wheel.camber": [np.nan]}, "not a finite number"),
         ({"wheel.camber": []}, "not a list of finite numbers"),
@@ -155,7 +155,7 @@ def test_axles_in_roll_and_steered() -> None:
     [
         ({"roll": 0.01, "travel": 0.0}, "wheel travel cannot be set"),
         ({"roll": 2.0}, "too steep"),
-        ({"axle": True}, "nothing to sweep"),
+        ({"axle": True}, "nothing to sweep is given"),
         ({"axle": True, "rack": [0.0, 0.01], "travel": [0.0, 0.01]}, "only a single value"),
         ({"roll": 0.01, "quantities": ["roll_center"]}, "no such quantity"),
         (

@@ -135,11 +135,11 @@ def test_open_and_inside_out_meshes_are_refused(tmp_path):
         (lambda: jn.mechanics.sphere(1.0, float("nan"), CENTRE), "radius: not a finite number"),
         (
             lambda: jn.mechanics.tube(1.0, 0.2, 0.1, (0, 0, 0), (1, 0, 0)),
-            "not an inner radius; found '0.2 m'",
+            "invalid inner radius; found '0.2 m'",
         ),
         (
             lambda: jn.mechanics.cylinder(1.0, 0.1, (0, 0, 0), (0, 0, 0)),
-            "not a distance of the ends; found '0 m'",
+            "invalid distance of the ends; found '0 m'",
         ),
         (jn.mechanics.combine_solids, "nothing to combine"),
     ],

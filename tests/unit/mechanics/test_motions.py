@@ -32,7 +32,7 @@ def test_two_points_are_a_line_with_level_ends(smooth: bool) -> None:
     ],
 )
 def test_points_that_are_no_motion(time: object, value: object) -> None:
-    with pytest.raises(jn.AssemblyError, match="not a motion; found 'times of shape"):
+    with pytest.raises(jn.AssemblyError, match="invalid motion; found 'times of shape"):
         jn.mechanics.interpolated(time, value)
 
 

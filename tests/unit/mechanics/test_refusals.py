@@ -40,12 +40,12 @@ def refused(text: str):
 @pytest.mark.parametrize(
     ("changed", "text"),
     [
-        ({"mass": 0.0}, "bob: not a mass; found '0 kg'"),
-        ({"mass": -1.0}, "bob: not a mass; found '-1 kg'"),
+        ({"mass": 0.0}, "bob: invalid mass; found '0 kg'"),
+        ({"mass": -1.0}, "bob: invalid mass; found '-1 kg'"),
         ({"mass": NAN}, "bob.mass: not a finite number"),
         ({"mass": "1 m"}, "bob.mass: wrong unit"),
         ({"centre_of_mass": None}, "bob: a mass without a centre of mass"),
-        ({"centre_of_mass": (1.0, 0.0)}, "bob.centre_of_mass: not a vector; found '2 numbers'"),
+        ({"centre_of_mass": (1.0, 0.0)}, "bob.centre_of_mass: invalid vector; found '2 numbers'"),
         ({"centre_of_mass": (NAN, 0.0, 0.0)}, "bob.centre_of_mass[0]: not a finite number"),
         (
             {"inertia": (1.0, 1.0, 3.0)},
@@ -54,7 +54,7 @@ def refused(text: str):
         ({"inertia": (-1.0, 1.0, 1.0)}, "bob: impossible inertia"),
         (
             {"inertia": (1.0, 1.0, 1.0, 0.0)},
-            "bob.inertia: not a tensor of inertia; found '4 numbers'",
+            "bob.inertia: invalid inertia tensor; found '4 numbers'",
         ),
         (
             {"inertia": np.array([[1.0, 0.1, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])},
@@ -82,23 +82,23 @@ def test_masses(changed, text):
         ({"start": {"pivot.angle": NAN}}, "start: pivot.angle: not a finite number"),
         ({"start": {"pivot.angle": "3 mm"}}, "start: pivot.angle: wrong unit"),
         ({"values": {"bob.mas": 1.0}}, "values: unknown parameter 'bob.mas'"),
-        ({"values": {"bob.mass": -2.0}}, "bob: not a mass; found '-2 kg'"),
+        ({"values": {"bob.mass": -2.0}}, "bob: invalid mass; found '-2 kg'"),
         ({"values": {"gravity": NAN}}, "values: gravity: not a finite number"),
         ({"values": {"pivot.axis[1]": 0.0}}, "pivot.axis: an axis without direction"),
         ({"motions": {"go": jn.mechanics.constant(0.0)}}, "motions: unknown track 'go'"),
-        ({"duration": 0.0}, "duration: not a duration; found '0 s'"),
-        ({"duration": -1.0}, "duration: not a duration"),
+        ({"duration": 0.0}, "duration: invalid duration; found '0 s'"),
+        ({"duration": -1.0}, "duration: invalid duration"),
         ({"duration": "3 kg"}, "duration: wrong unit"),
-        ({"output_step": 0.0}, "output_step: not an output step"),
-        ({"tolerance": 0.0}, "tolerance: not a tolerance"),
-        ({"tolerance": NAN}, "tolerance: not a tolerance"),
+        ({"output_step": 0.0}, "output_step: invalid output step"),
+        ({"tolerance": 0.0}, "tolerance: invalid tolerance"),
+        ({"tolerance": NAN}, "tolerance: invalid tolerance"),
         ({"tolerance": "1e-6"}, "tolerance: not a number; found '1e-6'"),
         (
             {"output_step": "1 ms"},
             "output_step: not a number; found '1 ms'; allowed: a number in s",
         ),
-        ({"output_step": float("inf")}, "output_step: not an output step"),
-        ({"values": {3: 1.0}}, "values: not a name; found 'int'"),
+        ({"output_step": float("inf")}, "output_step: invalid output step"),
+        ({"values": {3: 1.0}}, "values: invalid name; found 'int'"),
         ({"redundant": "delete"}, "redundant: unknown choice 'delete'"),
     ],
 )
@@ -115,7 +115,7 @@ def test_axes_and_places():
         mechanism.revolute("hinge", mechanism.ground, mechanism.body("a"), at=ORIGIN, axis=ORIGIN)
     with refused("slide.axis: not a finite number"):
         mechanism.prismatic("slide", mechanism.ground, mechanism.body("b"), axis=(0.0, NAN, 0.0))
-    with refused("ball.at: not a vector; found '2 numbers'"):
+    with refused("ball.at: invalid vector; found '2 numbers'"):
         mechanism.spherical("ball", mechanism.ground, mechanism.body("c"), at=(0.0, 0.0))
     with refused(
         "cross: the axes of a universal joint are not at right angles; found '0 degrees between them'"
@@ -152,7 +152,7 @@ def test_bodies_that_hang_on_nothing():
         mechanism.spring_damper("spring", body, one, ORIGIN, (0.0, 0.0, 1.0), stiffness=1.0)
     with refused("one: the body has no joint yet"):
         mechanism.watch_point("seen", one, ORIGIN)
-    with refused("one: the body has no joint. Give it a joint, or free()."):
+    with refused("one: the body has no joint. Give the body a joint, or free()."):
         jn.simulate_mechanism(mechanism, 0.1)
 
 
@@ -197,7 +197,7 @@ def test_motions_of_what_is_no_coordinate():
         "ball", mechanism.ground, body, at=(1.0, 0.0, 0.0)
     )  # closes a loop: gives its forces
     track = mechanism.track("go")
-    with refused("drive: not one coordinate; found '3 expressions'"):
+    with refused("drive: more than one coordinate; found '3 expressions'"):
         mechanism.motion("drive", forces, track)
     with refused(
         "drive: not a condition on coordinates; found 'an expression of ball.x multiplier'"
@@ -213,17 +213,17 @@ def test_motions_that_are_none():
     mechanism.motion(
         "drive", mechanism.prismatic("slide", mechanism.ground, body, axis=Y), mechanism.track("go")
     )
-    with refused("go: tracks without a motion"):
+    with refused("go: some tracks have no motion"):
         jn.simulate_mechanism(mechanism, 0.1)
-    with refused("motions: go: not a motion; found '0.1'"):
+    with refused("motions: go: invalid motion; found '0.1'"):
         jn.simulate_mechanism(mechanism, 0.1, motions={"go": 0.1})
-    with refused("motions: go: not a motion; found 'not a finite number'"):
+    with refused("motions: go: invalid motion; found 'not a finite number'"):
         jn.simulate_mechanism(mechanism, 0.1, motions={"go": jn.mechanics.constant_rate(NAN)})
     with refused("two finite points or more, ascending in time"):
         jn.mechanics.interpolated([0.0, 1.0, 0.5], [0.0, 1.0, 2.0])
     with refused("two finite points or more, ascending in time"):
         jn.mechanics.interpolated([0.0, 1.0], [0.0, NAN])
-    with refused("not a motion; found 'from 1 s to 1 s'"):
+    with refused("invalid motion; found 'from 1 s to 1 s'"):
         jn.mechanics.step(0.0, 1.0, 1.0, 1.0)
 
 
@@ -397,7 +397,9 @@ def test_forces_along_what_moves_nothing():
     mechanism, body = pendulum()
     angle, place = mechanism.coordinate_named("pivot.angle"), body.point((1.0, 0.0, 0.0)).value
     other, far = pendulum()
-    text = "force: a force along an expression that moves no part of this mechanism"
+    text = (
+        "force: the expression moves no part of this mechanism, so a force along it has no effect"
+    )
     for along in (
         mechanism.rate_of(angle),
         other.coordinate_named("pivot.angle"),
@@ -406,7 +408,7 @@ def test_forces_along_what_moves_nothing():
     ):
         with refused(text):
             mechanism.force(along, 100.0)
-    with refused("force: as many forces as expressions"):
+    with refused("force: the numbers of forces and expressions must be equal"):
         mechanism.force(place, 100.0)
     mechanism.force(mechanism.switch("up", angle) * place[2], 100.0)
 
@@ -437,7 +439,9 @@ def test_what_a_finished_builder_cannot_give():
     )
     with refused("inputs: unknown track 'stop'"):
         given.m.finish("remove", inputs={"stop": 1.0})
-    with refused("length: parameters without a value. Give them in values."):
+    with refused(
+        "length: some parameters have no value. Give the values of the parameters in values."
+    ):
         given.m.finish("remove")
 
 
@@ -484,7 +488,7 @@ def symbols(count):
         # points and design places
         (lambda t: t.b.point(casadi.vertcat(t.q, 0, 0)), "point of bob: not a number; found 'an expression of slide"),
         (lambda t: t.b.direction(casadi.vertcat(t.q, 0, 1)), "direction of bob: not a number"),
-        (lambda t: t.b.point((1, 0)), "point of bob: not a vector; found '2 numbers'; allowed: three: x, y, z"),
+        (lambda t: t.b.point((1, 0)), "point of bob: invalid vector; found '2 numbers'; allowed: three: x, y, z"),
         (lambda t: t.b.point((NAN, 0, 0)), "point of bob: not a finite number"),
         (lambda t: t.b.point("here"), "point of bob: not a number with a unit"),
         (lambda t: t.b.point(None), "point of bob: not an expression; found 'NoneType'"),
@@ -495,26 +499,26 @@ def symbols(count):
         (lambda t: t.m.body("n", 1.0, casadi.vertcat(t.q, 0, 0)), "n.centre_of_mass: not a number"),
         (lambda t: t.m.driven("d", t.m.ground, t.m.body("n"), Y, 2 * t.m.collection.tracks["go"].value), "d.travel: n"),
         # forces and torques
-        (lambda t: t.m.apply_force(t.b, (1, 2), ORIGIN), "force on bob: not a vector; found '2 numbers'"),
-        (lambda t: t.m.apply_force(t.b, "5 N", ORIGIN), "force on bob: not a vector; found '1 numbers'"),
+        (lambda t: t.m.apply_force(t.b, (1, 2), ORIGIN), "force on bob: invalid vector; found '2 numbers'"),
+        (lambda t: t.m.apply_force(t.b, "5 N", ORIGIN), "force on bob: invalid vector; found '1 numbers'"),
         (lambda t: t.m.apply_force(t.b, ("5 m", 0, 0), ORIGIN), "force on bob: wrong unit; found 'm'"),
-        (lambda t: t.m.apply_force(t.b, ORIGIN, (1, 0)), "force on bob: not a vector"),
+        (lambda t: t.m.apply_force(t.b, ORIGIN, (1, 0)), "force on bob: invalid vector"),
         (lambda t: t.m.apply_force("bob", ORIGIN, ORIGIN), "force: not a body; found 'bob'"),
         (lambda t: t.m.apply_force(t.b, ORIGIN, t.m.ground.point(ORIGIN)), "of a different body; found 'ground'"),
         (lambda t: t.m.apply_force(t.b, ORIGIN, t.o[1].point(ORIGIN)), "found 'bob of another mechanism'"),
         (lambda t: t.m.apply_force(t.m.ground, ORIGIN, ORIGIN), "force: the ground does not move"),
         (lambda t: t.m.apply_force(t.o[1], ORIGIN, ORIGIN), "force: the body belongs to a different mechanism"),
         (lambda t: t.m.apply_force(t.b, symbols(3), ORIGIN), "force: a force that cannot be computed"),
-        (lambda t: t.m.apply_torque(t.b, (1, 2)), "torque on bob: not a vector"),
+        (lambda t: t.m.apply_torque(t.b, (1, 2)), "torque on bob: invalid vector"),
         (lambda t: t.m.apply_torque(t.b, (1, 2, NAN)), "torque on bob: not a finite number"),
-        (lambda t: t.m.push_apart(t.b, t.s, ORIGIN, (1, 0), 5.0), "force between points: not a vector"),
+        (lambda t: t.m.push_apart(t.b, t.s, ORIGIN, (1, 0), 5.0), "force between points: invalid vector"),
         (lambda t: t.m.push_apart(t.b, t.s, t.s.point(Y), t.s.point(ORIGIN), 5.0), "of a different body; found 's"),
-        (lambda t: t.m.push_apart(t.b, t.s, ORIGIN, Y, (1.0, 2.0)), "not one expression; found '2 expressions'"),
+        (lambda t: t.m.push_apart(t.b, t.s, ORIGIN, Y, (1.0, 2.0)), "a single expression is required; found '2 exp"),
         (lambda t: t.m.force(t.q, "5 N*m"), "magnitude of force: wrong unit; found 'N*m'"),
         (lambda t: t.m.force(t.q, None), "magnitude of force: not an expression"),
         (lambda t: t.m.force("slide.distance", 5.0), "force: not a number with a unit"),
         (lambda t: t.m.force(t.q, symbols(1)), "a force that cannot be computed; found 'an expression of strange'"),
-        (lambda t: t.m.load(t.m.rate_of(t.q), (1, 2)), "load: as many forces as rates"),
+        (lambda t: t.m.load(t.m.rate_of(t.q), (1, 2)), "load: the numbers of forces and rates must be equal"),
         (lambda t: t.m.load("rate", 1.0), "rate of load: not a number with a unit"),
         # springs, stops, friction
         (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness=-1.0), "k.stiffness: out of range; found '-1"),
@@ -522,12 +526,12 @@ def symbols(count):
         (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, free_length="-1 m"), "k.free_length: out of range"),
         (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness="1 N"), "k.stiffness: wrong unit"),
         (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness=1.0, force=t.q), "accepts no other numbers"),
-        (lambda t: t.m.spring_damper("", t.b, t.s, ORIGIN, Y), "spring and damper: not a name; found ''"),
-        (lambda t: t.m.spring_damper("k ", t.b, t.s, ORIGIN, Y), "not a name; found 'k '"),
+        (lambda t: t.m.spring_damper("", t.b, t.s, ORIGIN, Y), "spring and damper: invalid name; found ''"),
+        (lambda t: t.m.spring_damper("k ", t.b, t.s, ORIGIN, Y), "invalid name; found 'k '"),
         (lambda t: t.m.spring_damper("k", t.b, 3, ORIGIN, Y), "k: not a body; found 'int'"),
         (lambda t: t.m.rotational_spring_damper("r", "pivot", stiffness=-1.0), "r.stiffness: out of range"),
-        (lambda t: t.m.rotational_spring_damper("r", t.b), "r: not a name; found 'Body'; allowed: text without"),
-        (lambda t: t.m.stop("end", t.q, stiffness=1e3), "end: a stop without limits"),
+        (lambda t: t.m.rotational_spring_damper("r", t.b), "r: invalid name; found 'Body'; allowed: text without"),
+        (lambda t: t.m.stop("end", t.q, stiffness=1e3), "end: a travel stop without limits"),
         (lambda t: t.m.stop("end", t.q, lower=1.0, upper=-1.0, stiffness=1e3), "end: the limits of a stop are cross"),
         (lambda t: t.m.stop("end", t.q, upper=1.0, stiffness=0.0), "end.stiffness: out of range; found '0 N/m'"),
         (lambda t: t.m.stop("end", t.q, upper=1.0, stiffness=1.0, damping=-1.0), "end.damping: out of range"),
@@ -541,45 +545,45 @@ def symbols(count):
         (lambda t: t.m.motion("d", t.q, t.o[0].track("go")), "d: not a track of this mechanism"),
         (lambda t: t.m.motion("d", "slide.distance", t.m.collection.tracks["go"]), "d: not a number with a unit"),
         (lambda t: t.m.coupler("c", t.q * t.q), "c: not a linear combination of coordinates; found 'sq(slide.distance"),
-        (lambda t: t.m.coupler("", t.q), "not a name; found ''"),
+        (lambda t: t.m.coupler("", t.q), "invalid name; found ''"),
         (lambda t: t.m.condition("c", None), "c: not an expression; found 'NoneType'"),
         # bodies and joints
-        (lambda t: t.m.body("n", -1.0, ORIGIN), "n: not a mass; found '-1 kg'"),
+        (lambda t: t.m.body("n", -1.0, ORIGIN), "n: invalid mass; found '-1 kg'"),
         (lambda t: t.m.body("n", 1.0, ORIGIN, (1, 1, -1)), "n: impossible inertia"),
-        (lambda t: t.m.body("n", 1.0, ORIGIN, 5.0), "n.inertia: not a tensor of inertia; found '1 numbers'"),
-        (lambda t: t.m.body("n", 1.0, ORIGIN, casadi.SX(2, 2)), "n.inertia: not a tensor of inertia"),
-        (lambda t: t.m.body("n", 1.0, "here"), "n.centre_of_mass: not a vector"),
-        (lambda t: t.m.body(""), "not a name; found ''"),
-        (lambda t: t.m.body(3), "not a name; found 'int'"),
+        (lambda t: t.m.body("n", 1.0, ORIGIN, 5.0), "n.inertia: invalid inertia tensor; found '1 numbers'"),
+        (lambda t: t.m.body("n", 1.0, ORIGIN, casadi.SX(2, 2)), "n.inertia: invalid inertia tensor"),
+        (lambda t: t.m.body("n", 1.0, "here"), "n.centre_of_mass: invalid vector"),
+        (lambda t: t.m.body(""), "invalid name; found ''"),
+        (lambda t: t.m.body(3), "invalid name; found 'int'"),
         (lambda t: t.m.revolute("h", t.b, "slider", ORIGIN, Y), "h: not a body; found 'slider'"),
         (lambda t: t.m.revolute("h", t.m.ground, t.m.body("n"), ORIGIN, None), "h.axis: not a"),
-        (lambda t: t.m.revolute("h", t.m.ground, t.m.body("n"), ORIGIN, (0, 1)), "h.axis: not a vector"),
-        (lambda t: t.m.revolute(None, t.m.ground, t.m.body("n"), ORIGIN, Y), "not a name; found 'NoneType'"),
+        (lambda t: t.m.revolute("h", t.m.ground, t.m.body("n"), ORIGIN, (0, 1)), "h.axis: invalid vector"),
+        (lambda t: t.m.revolute(None, t.m.ground, t.m.body("n"), ORIGIN, Y), "invalid name; found 'NoneType'"),
         (lambda t: t.m.add("revolute"), "add: not a joint; found 'str'"),
         (lambda t: t.m.act(5.0), "act: not a load; found 'float'"),
         (lambda t: t.m.free("f", t.m.body("n")), "n: a free body without mass. Give mass and centre_of_mass."),
         (lambda t: t.m.watch_body(t.m.body("n")), "n: a body without mass or joint has no outputs"),
         (lambda t: t.m.number("n", symbols(2)), "n: not a number; found '2 expressions'; allowed: one"),
-        (lambda t: t.m.moving_frame(t.b, (0, 1)), "field of bob axes: not a vector"),
+        (lambda t: t.m.moving_frame(t.b, (0, 1)), "field of bob axes: invalid vector"),
         (lambda t: t.m.screw("t", t.m.ground, t.m.body("n"), ORIGIN, Y, pitch=0.0), "t: a screw without pitch"),
         (lambda t: t.m.universal("u", t.m.ground, t.m.body("n"), ORIGIN, Y, (0, 1, 1)), "u: the axes of a universal"),
         # names, signals and what is watched
         (lambda t: t.m.coordinate_named("pivot.angel"), "unknown coordinate 'pivot.angel'"),
-        (lambda t: t.m.coordinate_named(3), "coordinate: not a name; found 'int'"),
-        (lambda t: t.m.track(""), "not a name; found ''"),
+        (lambda t: t.m.coordinate_named(3), "coordinate: invalid name; found 'int'"),
+        (lambda t: t.m.track(""), "invalid name; found ''"),
         (lambda t: t.m.switch("up", "q"), "switch up: not a number with a unit"),
         (lambda t: t.m.set_internal_rate("z", t.q), "unknown internal state 'z'"),
-        (lambda t: t.m.output("out", t.b.point(Y).value, "m", "-"), "output out: not one expression; found '3 exp"),
+        (lambda t: t.m.output("out", t.b.point(Y).value, "m", "-"), "output out: a single expression is required; found '3 exp"),
         (lambda t: t.m.output("out", "q", "m", "-"), "output out: not a number with a unit"),
-        (lambda t: t.m.watch_reaction("pivot", frame=t.b), "not a name; found 'Body'"),
-        (lambda t: t.m.watch_reaction("pivot", on=t.s), "reaction of pivot: not a name; found 'Body'"),
-        (lambda t: t.m.watch_reaction(t.q), "reaction: not a name"),
-        (lambda t: t.m.watch_reaction("pivot", at=(1, 0)), "pivot.reaction_at: not a vector"),
+        (lambda t: t.m.watch_reaction("pivot", frame=t.b), "invalid name; found 'Body'"),
+        (lambda t: t.m.watch_reaction("pivot", on=t.s), "reaction of pivot: invalid name; found 'Body'"),
+        (lambda t: t.m.watch_reaction(t.q), "reaction: invalid name"),
+        (lambda t: t.m.watch_reaction("pivot", at=(1, 0)), "pivot.reaction_at: invalid vector"),
         (lambda t: t.m.watch_body(t.o[1]), "watch_body: the body belongs to a different mechanism; found 'bob'"),
         (lambda t: t.m.watch_body("bob"), "watch_body: not a body; found 'bob'"),
         (lambda t: t.m.watch_point("p", t.o[1], ORIGIN), "p: the body belongs to a different mechanism"),
-        (lambda t: t.m.watch_point("", t.b, ORIGIN), "not a name; found ''"),
-        (lambda t: t.m.watch_angle("a", t.b, t.s, (0, 1)), "a.axis: not a vector"),
+        (lambda t: t.m.watch_point("", t.b, ORIGIN), "invalid name; found ''"),
+        (lambda t: t.m.watch_angle("a", t.b, t.s, (0, 1)), "a.axis: invalid vector"),
         (lambda t: t.m.rate_of("q"), "rate: not a number with a unit"),
         # equations
         (lambda t: t.m.finish("foo"), "redundant: unknown choice 'foo'; allowed: keep, remove"),
@@ -604,20 +608,20 @@ def test_wrong_arguments_are_refused_and_leave_the_builder_as_it_was(call, text)
 def test_the_corrected_call_is_taken():
     given = loaded()
     mechanism, body, slider, distance = given.m, given.b, given.s, given.q
-    with refused("not a vector"):
+    with refused("invalid vector"):
         mechanism.rod("rod", body, slider, (0.0, 0.0, 1.0), (0.0, 1.0))
     mechanism.rod("rod", body, slider, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
     with refused("limits of a stop are crossed"):
         mechanism.stop("end", distance, lower=1.0, upper=0.0, stiffness=1e3)
     mechanism.stop("end", distance, lower=0.0, upper=1.0, stiffness=1e3)
-    with refused("not a mass"):
+    with refused("invalid mass"):
         mechanism.body("other", 0.0, ORIGIN)
     other = mechanism.body("other", 1.0, ORIGIN)
     with refused("a screw without pitch"):
         mechanism.screw("thread", mechanism.ground, other, ORIGIN, Y, 0.0)
     assert not other.is_placed
     mechanism.screw("thread", mechanism.ground, other, ORIGIN, Y, 0.1)
-    with refused("not a vector"):
+    with refused("invalid vector"):
         mechanism.coincident("pin", body, other, (0.0, 1.0))
     mechanism.coincident("pin", body, other, (0.0, 1.0, 0.0))
 
@@ -651,8 +655,11 @@ def test_numbers_with_units_are_taken_where_numbers_stand():
         ({"cross.axis[1]": 0.0}, "cross.axis: an axis without direction"),
         ({"spring.stiffness": -3.0}, "spring.stiffness: out of range; found '-3 N/m'"),
         ({"drag.force": -1.0}, "drag.force: out of range"),
-        ({"end.upper": -2.0}, "end: the limits of a stop are crossed; found '-1 to -2 rad'"),
-        ({"cross body.mass": 0.0}, "cross body: not a mass"),
+        (
+            {"end.upper": -2.0},
+            "end: the lower limit of the stop is above the upper one; found '-1 to -2 rad'",
+        ),
+        ({"cross body.mass": 0.0}, "cross body: invalid mass"),
     ],
 )
 def test_numbers_that_are_changed_for_a_run_are_checked_as_when_they_are_built_in(values, text):
@@ -684,7 +691,7 @@ def test_equations_of_one_name_are_said_with_both_joints():
 def test_signals_of_one_name_are_refused_when_they_are_asked_for(order):
     mechanism = jn.mechanics.Mechanism()
     body = mechanism.body("bob", 1.0, ORIGIN, BALL)
-    text = "bob: its coordinates have the signal names of a watched part with the same name"
+    text = "bob: its coordinates have the same signal names as a watched body or point"
     if order == "joint last":
         other = mechanism.body("other", 1.0, ORIGIN, BALL)
         mechanism.free("flight", other)
@@ -710,7 +717,7 @@ def test_an_output_of_another_mechanism_is_said_before_anything_is_compiled():
     given = loaded()
     given.m.output("strange", given.o[0].coordinate_named("pivot.angle"), "rad", "-")
     with refused(
-        "output strange: an expression of symbols that this mechanism does not have; found 'pivot.angle'"
+        "output strange: the expression contains symbols that this mechanism does not have; found 'pivot.angle'"
     ):
         given.m.finish()
 

@@ -59,5 +59,5 @@ def test_error_falls_with_the_fourth_power_of_the_step():
 
 @pytest.mark.parametrize(("start", "end"), [(1.0, 1.0), (1.0, 0.5), (-0.1, 1.0), (1.0, 2.1)])
 def test_windows_that_are_none(start, end):
-    with pytest.raises(RecordingError, match="no such window"):
+    with pytest.raises(RecordingError, match="unknown time window"):
         extremes_within(TIME, *wave(TIME), start, end)

@@ -137,10 +137,10 @@ def test_a_part_without_inertia_is_estimated(changed) -> None:
 @pytest.mark.parametrize(
     ("pairs", "what"),
     [
-        ([("'suspension'", "'steering'")], "the subsystem is no suspension.*'steering'"),
+        ([("'suspension'", "'steering'")], "the subsystem is not a suspension.*'steering'"),
         ([("[UNITS]", "[NO_UNITS]")], r"the block \[UNITS\] is missing"),
         ([("'mm'", "'furlong'")], "no unit of LENGTH; found 'furlong'.*inch"),
-        ([("'mm'", "'inch'")], r"an implausible half track.*20\.27 m"),
+        ([("'mm'", "'inch'")], r"an implausible half track width.*20\.27 m"),
         ([("-797.9", "797.9")], "left and right are swapped: y points to the right"),
         (
             [("'lca_front       ", "'lca_frunt       ")],
@@ -153,7 +153,7 @@ def test_a_part_without_inertia_is_estimated(changed) -> None:
             "not a number; found 'heavy'",
         ),
         ([("MASS                     =  1.397", "MASS                     =  0.0")], "no mass"),
-        ([("[HARDPOINT]", "[HARDPOINTS]")], "no hardpoints are in it"),
+        ([("[HARDPOINT]", "[HARDPOINTS]")], "the file contains no hardpoints"),
     ],
 )
 def test_mistakes_are_said(changed, pairs, what) -> None:
@@ -167,7 +167,7 @@ def test_mistakes_are_said(changed, pairs, what) -> None:
         (
             "springs.tbl/ride.spr",
             ("50.0   3000.0", "-50.0   3000.0"),
-            "the first column does not rise",
+            "the first column does not increase",
         ),
         ("springs.tbl/ride.spr", (" FREE_LENGTH  =  330.0", ""), "FREE_LENGTH is missing"),
         ("dampers.tbl/ride.dpr", ("[CURVE]", "[CURVES]"), r"the block \[CURVE\] is missing"),

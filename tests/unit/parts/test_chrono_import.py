@@ -387,7 +387,7 @@ BAD: list[tuple[str, Callable[[dict[str, Any]], object], str]] = [
     (
         "audi_DoubleWishbone",
         lambda t: t["Lower Control Arm"].update({"Location Upright": [0.2, 0.42, -0.27]}),
-        "Lower Control Arm: two points are the same, or three lie on one line",
+        "Lower Control Arm: two points coincide, or three are collinear",
     ),
     (
         "audi_DoubleWishbone",

@@ -205,7 +205,7 @@ def test_a_fixed_body_needs_no_mass():
     del table["sprung"]
     assert rig_from_table({**table, "guide": "fixed"}).sprung is None
     with pytest.raises(
-        DescriptionError, match='sprung: mass missing; guide = "vertical" needs mass'
+        DescriptionError, match='sprung: mass is missing; guide = "vertical" needs mass'
     ):
         rig_from_table(table)
 
@@ -239,13 +239,13 @@ MISTAKES = [  # old text, new text, line of the message, message
         '"720 mm", "140 mm"',
         '720, "140 mm"',
         14,
-        r"lower_ball_joint: lies far from the other points.*Millimetres as metres",
+        r"lower_ball_joint: is far from the other points.*Millimetres as metres",
     ),
     (
         '"720 mm", "140 mm"',
         '"-720 mm", "140 mm"',
         14,
-        r"lower_ball_joint: on the other side of the car than the wheel",
+        r"lower_ball_joint: not on the same side of the car as the wheel",
     ),
     (
         '["110 mm", "450 mm"',
@@ -269,31 +269,31 @@ MISTAKES = [  # old text, new text, line of the message, message
         '["-120 mm", "700 mm", "180 mm"]',
         '["-130 mm", "380 mm", "185 mm"]',
         19,
-        r"tie_rod_outer: the same point as tie_rod",
+        r"tie_rod_outer: coincides with tie_rod",
     ),
     (
         '["10 mm", "520 mm", "520 mm"]',
         '["0 mm", "640 mm", "150 mm"]',
         22,
-        r"strut_top: the same point as strut_bottom",
+        r"strut_top: coincides with strut_bottom",
     ),
     (
         '["-150 mm", "400 mm", "145 mm"]',
         '["150 mm", "400 mm", "155 mm"]',
         13,
-        r"lower_arm_rear: the same point as lower_",
+        r"lower_arm_rear: coincides with lower_",
     ),
     (
         '["5 mm", "720 mm", "140 mm"]',
         '["0 mm", "400 mm", "150 mm"]',
         14,
-        r"lies on the line through lower_arm_front and",
+        r"is on the line through lower_arm_front and",
     ),
     (
         '["-120 mm", "700 mm", "180 mm"]',
         '["-5 mm", "705 mm", "270 mm"]',
         19,
-        r"tie_rod_outer: lies on the line through lower",
+        r"tie_rod_outer: is on the line through lower",
     ),
     (
         'mass = "6 kg"',
@@ -331,7 +331,7 @@ MISTAKES = [  # old text, new text, line of the message, message
         'on = "lower_arm"',
         'on = "rocker"',
         48,
-        r"strut.on: the body 'rocker' carries it and does not exist.*bodies.rocker",
+        r"strut.on: the body 'rocker' that carries it does not exist.*bodies.rocker",
     ),
     (
         'on = "lower_arm"',
@@ -397,7 +397,7 @@ def test_a_missing_hardpoint_is_named():
     [
         (
             {"hardpoints.link_1_outer": FIVE_LINK.hardpoints.link_1_inner},
-            "link_1_outer: the same point as link_1_inner",
+            "link_1_outer: coincides with link_1_inner",
         ),
         (
             {"hardpoints.link_2_inner": FIVE_LINK.hardpoints.link_1_inner},
@@ -436,9 +436,9 @@ def test_a_missing_hardpoint_is_named():
         ),
         (
             {"hardpoints.strut_topp[0]": 1.0},
-            r"no such parameter.*Did you mean 'hardpoints.strut_top\[0\]'",
+            r"unknown parameter.*Did you mean 'hardpoints.strut_top\[0\]'",
         ),
-        ({"hardpoints.strut_top[3]": 1.0}, "no such parameter"),
+        ({"hardpoints.strut_top[3]": 1.0}, "unknown parameter"),
         ({"tyre.undeformed_radius": 0.0}, "undeformed_radius: out of range"),
         ({"wheel.radius": "-1 mm"}, "wheel.radius: out of range"),
     ],
@@ -456,14 +456,14 @@ def test_links_may_share_a_point():
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"bodies.rocker": None}, "strut.on: the body 'rocker' carries it and does not exist"),
+        ({"bodies.rocker": None}, "strut.on: the body 'rocker' that carries it does not exist"),
         (
             {"hardpoints.rocker_axis": None},
-            "rocker_axis missing; give all of pushrod_outer, pushrod_inner, rocker_pivot",
+            "rocker_axis is missing; give all of pushrod_outer, pushrod_inner, rocker_pivot",
         ),
         (
             {"hardpoints.pushrod_inner": [0.05, 0.35, 0.45]},
-            "pushrod_inner: lies on the line through rocker_pivot and",
+            "pushrod_inner: is on the line through rocker_pivot and",
         ),
         ({"strut.pushrod_on": "wheel"}, "strut.pushrod_on: input should be"),
     ],
@@ -485,7 +485,7 @@ def test_anti_roll_bar():
     ):
         with pytest.raises(DescriptionError, match="an anti-roll bar needs its table"):
             rig.with_changes(changes)
-    with pytest.raises(DescriptionError, match="arb_link_end missing; give all of arb_pivot"):
+    with pytest.raises(DescriptionError, match="arb_link_end is missing; give all of arb_pivot"):
         rig.with_changes({"hardpoints.arb_link_end": None})
 
 
@@ -493,7 +493,7 @@ def test_trailing_arm():
     rig = rig_from_table(TRAILING)
     assert rig.strut.on == "arm"
     with pytest.raises(
-        DescriptionError, match="wheel_centre: lies on the line through arm_inner and arm_outer"
+        DescriptionError, match="wheel_centre: is on the line through arm_inner and arm_outer"
     ):
         rig.with_changes({"hardpoints.wheel_centre": [0.3, 1.0, 0.3]})
 
@@ -524,7 +524,7 @@ def test_unknown_paths_are_answered_shortly(path: str, expected: str):
     """Of more than sixty paths only the nearest are said, and how to see all."""
     known = load("sedan-multi-link").parameters()
     message = str(unknown_path(path, known))
-    assert message.startswith(f"{path}: no such parameter")
+    assert message.startswith(f"{path}: unknown parameter")
     assert expected in message
     assert message.endswith(f"All {len(known)}: jounce check FILE --parameters.")
     assert len(message) < 280

@@ -175,7 +175,7 @@ def test_the_road_is_found(tmp_path) -> None:
 @pytest.mark.parametrize(
     ("lines", "options", "what"),
     [
-        (["hello"], {}, "no points are in it"),
+        (["hello"], {}, "the file contains no points"),
         (
             ["name,x [mm],y [mm],z [mm]", *rows(scale=1 / 0.0254)],
             {},
@@ -204,7 +204,7 @@ def test_the_road_is_found(tmp_path) -> None:
             {},
             "UCA front L: a hardpoint without three coordinates.*name and three",
         ),
-        (rows(), {"axes": "x,y"}, "not three axes"),
+        (rows(), {"axes": "x,y"}, "three axes are required"),
         (rows(), {"axes": "-x,y,z"}, "the arm's front lies behind its rear.*Turn x round"),
         (rows(), {"model": "five-links"}, "unknown suspension 'five-links'.*five-link"),
         (rows(), {"model": "five-link"}, "points of a five-link are missing"),
@@ -215,10 +215,10 @@ def test_the_road_is_found(tmp_path) -> None:
             rows("{name} L,{x},{y},{z}")
             + rows("{name} R,{x},{y},{z}", lower_ball_joint=(0.0, 0.5, 0.1)),
             {},
-            "left and right points lie on the same side",
+            "left and right points are on the same side",
         ),
         (rows(tie_rod_inner=(0.065, -0.225, 0.148)), {}, "on the other side of the car"),
-        (rows(tie_rod_inner=POINTS["lower_arm_front"]), {}, "the same point as"),
+        (rows(tie_rod_inner=POINTS["lower_arm_front"]), {}, "coincides with"),
     ],
 )
 def test_mistakes_are_said(tmp_path, lines, options, what) -> None:
@@ -261,7 +261,8 @@ def test_decimal_commas_between_commas_are_no_further_columns(tmp_path) -> None:
     lines = [HEAD, *rows("{name},{x:.1f},{y:.1f},{z:.1f}")]
     lines[1:] = [line.replace(".", ",") for line in lines[1:]]
     with pytest.raises(
-        DescriptionError, match=r"line 2: more numbers than columns.*allowed: 4 cells.*semicolons"
+        DescriptionError,
+        match=r"line 2: a row has more numbers than the table has columns.*allowed: 4 cells.*semicolons",
     ):
         read(tmp_path, lines)
 

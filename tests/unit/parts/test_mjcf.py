@@ -127,7 +127,7 @@ def test_springs_and_dampers_of_joints_are_said_to_be_left_out(tmp_path: Path) -
         ("<mujoco/>", "an element worldbody"),
         ('<mujoco><include file="a.xml"/></mujoco>', "includes other files"),
         ('<mujoco><compiler coordinate="global"/></mujoco>', "global coordinates"),
-        ("<mujoco><worldbody/></mujoco>", "no points are in it"),
+        ("<mujoco><worldbody/></mujoco>", "the file contains no points"),
         (ARMS.format(**PLAIN).replace('pos="0 0 0.2"', 'pos="0 0"'), "3 numbers"),
         (ARMS.format(**PLAIN).replace('axis="1 0 0"', 'axis="0 0 0"'), "an axis without direction"),
         (

@@ -146,7 +146,7 @@ MISTAKES = [
         '"0 m/s", "1 m/s"',
         '"0 m/s", "-1 m/s"',
         17,
-        r"strut.damper: velocity\[2\] = -1 does not lie above",
+        r"strut.damper: velocity\[2\] = -1 is not above",
     ),
     ("damper unit", '"1 m/s"]', '"1 m"]', 18, r"strut.damper.velocity\[2\]: wrong unit"),
     ("damper numbers", "-100.0, 0.0", '"-100 kg", 0.0', 19, r"strut.damper.force\[0\]: wrong unit"),

@@ -127,8 +127,8 @@ def test_pressures_under_all_their_names(tmp_path) -> None:
         210e3 * 0.93
     )
     for pressure, says in [
-        (0.0, "not an inflation pressure"),
-        (float("nan"), "not an inflation pressure"),
+        (0.0, "invalid inflation pressure"),
+        (float("nan"), "invalid inflation pressure"),
     ]:
         with pytest.raises(DescriptionError, match=says):
             tyre.stiffness_at(pressure)
@@ -138,7 +138,7 @@ def test_pressures_under_all_their_names(tmp_path) -> None:
         match="the stiffness is not positive at this pressure; found '100000 Pa'; allowed: above 150000 Pa",
     ):
         steep.stiffness_at(1e5)
-    with pytest.raises(DescriptionError, match="the unit of PRESSURE is missing"):
+    with pytest.raises(DescriptionError, match="the unit for PRESSURE is missing"):
         read_tir(small(tmp_path, ("PRESSURE = 'bar'\n", ""), more=modern))
 
 
@@ -171,8 +171,8 @@ def test_a_measured_curve(tmp_path) -> None:
     tyre.pop("undeformed_radius")
     assert Tyre(**tyre).curve is not None
     for row, says in [
-        ("5 2000", "the curve does not ascend; found '5 2000'"),
-        ("30", "not a pair"),
+        ("5 2000", "the curve does not increase; found '5 2000'"),
+        ("30", "two values are required"),
         ("x 1", "not a number"),
     ]:
         with pytest.raises(DescriptionError, match=rf"line 19: \[DEFLECTION_LOAD_CURVE\]: {says}"):
@@ -198,11 +198,11 @@ def test_a_load_that_rises_with_the_square_of_the_deflection(tmp_path) -> None:
         ([("LENGTH = 'mm'\n", "")], "the unit of LENGTH is missing"),
         (
             [("'mm'", "'parsec'")],
-            r"line 2: unknown unit of LENGTH; found 'parsec'; allowed: meter, millimeter",
+            r"line 2: unknown unit for LENGTH; found 'parsec'; allowed: meter, millimeter",
         ),
         (
             [("'newton'", "'newtonn'")],
-            "unknown unit of FORCE; found 'newtonn'.*Did you mean 'newton'",
+            "unknown unit for FORCE; found 'newtonn'.*Did you mean 'newton'",
         ),
         (
             [("VERTICAL_STIFFNESS", "VERTICAL_STIFNESS")],
@@ -287,6 +287,6 @@ def test_bottoming_curves_are_read_and_named_as_dropped(tmp_path: Path) -> None:
     assert "it never acts" in read_tir(file).findings[0].message
     file.write_text(text.replace("5 4000", "5 -4000"))
     with pytest.raises(
-        DescriptionError, match=r"line 13: \[BOTTOMING_CURVE\]: the curve does not ascend"
+        DescriptionError, match=r"line 13: \[BOTTOMING_CURVE\]: the curve does not increase"
     ):
         read_tir(file)

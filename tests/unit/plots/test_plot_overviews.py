@@ -149,7 +149,7 @@ def test_options_reach_the_drawing() -> None:
 
 @pytest.mark.parametrize("thing", [3, "run.nc", [], (), {}, [1, 2]])
 def test_what_has_no_picture(thing: object) -> None:
-    with pytest.raises(JounceError, match="no figure for this type"):
+    with pytest.raises(JounceError, match="there is no figure for this type"):
         figure_of(thing)
 
 

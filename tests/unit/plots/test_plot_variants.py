@@ -111,16 +111,16 @@ def test_bands_hold_the_shares_they_say():
     assert axes.collections[0].get_paths()[0].get_extents().y1 == pytest.approx(95.0)
     assert jn.plots.figure_of(many).axes[0].get_ylabel() == axes.get_ylabel()
     for wrong in ([], [-1.0], [101.0]):
-        with pytest.raises(DescriptionError, match="not percentiles"):
+        with pytest.raises(DescriptionError, match="invalid percentiles"):
             jn.bands(many, "x.z", wrong)
     with pytest.raises(DescriptionError, match=r"unknown channel over time 'y\.z'"):
         jn.bands(many, "y.z")
 
 
 def test_what_cannot_be_drawn_is_said():
-    with pytest.raises(DescriptionError, match="no channel was stored over time"):
+    with pytest.raises(DescriptionError, match="no time-dependent channel was stored"):
         variant_bands(runs())
-    with pytest.raises(DescriptionError, match="no number varies"):
+    with pytest.raises(DescriptionError, match="no parameter varies"):
         scatter_matrix(runs().isel(variant=[0]))
     assert jn.plots.figure_of(runs()).axes[0].get_title("left") == "max x.z"
 

@@ -77,7 +77,7 @@ def test_no_date_no_random_names() -> None:
 def test_existing_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "road.png"
     file.write_text("mine", encoding="utf-8")
-    with pytest.raises(OutputError, match="the output exists"):
+    with pytest.raises(OutputError, match="the output already exists"):
         write_figure(road_profile(OBSTACLE), file)
     assert file.read_text(encoding="utf-8") == "mine"
     write_figure(road_profile(OBSTACLE), file, force=True)

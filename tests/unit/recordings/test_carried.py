@@ -106,7 +106,7 @@ def test_what_carries_its_own_gives_what_arrays_give(
         (lambda: fitted(TABLE.rename(columns={"tyre.force [N]": "tyre.force"})), r"no unit.*tyre.force \[N\]"),
         (lambda: fitted(TABLE.assign(note="a")), r"measured: note: text, not numbers"),
         (lambda: fitted(Path("a.csv")), r"measured: a PosixPath is not a recording.*jn.read_recording"),
-        (lambda: many(VARIED_TABLE.rename(columns={"sprung.mass [kg]": "mass"})), r"variants: mass: no such parameter"),
+        (lambda: many(VARIED_TABLE.rename(columns={"sprung.mass [kg]": "mass"})), r"variants: mass: unknown parameter"),
     ],
 )  # fmt: skip
 def test_what_it_cannot_mean_is_said(call: Callable[[], Any], message: str) -> None:

@@ -44,8 +44,8 @@ def test_sensitivities_are_read(
 @pytest.mark.parametrize(
     ("text", "unit", "what"),
     [
-        ("100", "m/s^2", "not a sensitivity with its units"),
-        ("100 mV", "m/s^2", "not a sensitivity with its units"),
+        ("100", "m/s^2", "a sensitivity with its units is required"),
+        ("100 mV", "m/s^2", "a sensitivity with its units is required"),
         ("100 mV/mm", "m/s^2", "does not fit"),
         ("100 g/mV", "m/s^2", "does not fit"),
         ("0 mV/g", "m/s^2", "records nothing"),

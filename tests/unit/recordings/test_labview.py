@@ -104,9 +104,12 @@ def test_channels_have_their_units_and_times(tmp_path, name, how):
         ),
         (
             {"header": {"X_Dimension": ("Time", "Frequency")}},
-            "no signals over time; found 'Frequency'",
+            "no time signals; found 'Frequency'",
         ),
-        ({"header": {"Delta_X": ("NaN", "NaN")}}, "Delta_X: not a number of seconds; found 'NaN'"),
+        (
+            {"header": {"Delta_X": ("NaN", "NaN")}},
+            "Delta_X: invalid number of seconds; found 'NaN'",
+        ),
         ({"header": {"X0": None, "Delta_X": None}, "columns": "No"}, "time is zero in every row"),
     ],
 )
@@ -183,7 +186,7 @@ def test_channels_whose_times_differ_are_refused_whatever_the_header_says(tmp_pa
 def test_a_time_that_is_no_number_is_named_by_its_line(tmp_path, columns, cells, cell):
     file = with_line(written(tmp_path / "run.lvm", columns=columns), -1, cells.format(cell))
     with pytest.raises(
-        RecordingError, match=f"line 56: X_Value: not a number of seconds; found '{cell}'"
+        RecordingError, match=f"line 56: X_Value: invalid number of seconds; found '{cell}'"
     ):
         read_recording(file)
 
@@ -274,7 +277,9 @@ def test_a_file_that_ends_in_its_header_and_another_text_are_refused(tmp_path):
     with pytest.raises(RecordingError, match=r"found 'no data'.*Is the file complete\?"):
         read_recording(tmp_path / "cut.lvm")
     (tmp_path / "bare.lvm").write_text(whole.replace("X_Value\tsprung.az", "sprung.az"))
-    with pytest.raises(RecordingError, match=r"line 16: no column names; found 'sprung.az'"):
+    with pytest.raises(
+        RecordingError, match=r"line 16: the column names are missing; found 'sprung.az'"
+    ):
         read_recording(tmp_path / "bare.lvm")
     with pytest.raises(RecordingError, match="not a LabVIEW measurement file"):
         read_recording(tmp_path / "other.lvm")

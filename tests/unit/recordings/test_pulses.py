@@ -85,7 +85,7 @@ def test_what_has_no_pulses_is_refused(signal: np.ndarray, what: str) -> None:
 def test_an_implausible_speed_is_refused() -> None:
     with pytest.raises(RecordingError, match="an implausible speed for a bench"):
         pulse_speed(TIME, seen(marks(1.95, 12)), per_turn=1, radius="5 m")
-    with pytest.raises(RecordingError, match="not a number of pulses per revolution"):
+    with pytest.raises(RecordingError, match="invalid number of pulses per revolution"):
         pulse_speed(TIME, seen(marks(1.95, 12)), per_turn=0, radius=RADIUS)
 
 

@@ -49,7 +49,7 @@ def test_numbers_that_no_range_holds_are_marks() -> None:
     for value in (1.01e20, -9.9e37):
         with pytest.raises(
             RecordingError,
-            match=r"a\.csv: sprung\.az: not a measured value at row 8; found '.*over-range",
+            match=r"a\.csv: sprung\.az: implausible value at row 8; found '.*over-range",
         ):
             check_channels({"sprung.az": np.where(STEPS == 7, value, STEPS)}, where="a.csv")
 
@@ -72,9 +72,9 @@ def test_numbers_that_no_range_holds_are_marks() -> None:
         ),
         (
             lambda t: np.where(STEPS == 9, t[8], t),
-            r"time does not ascend at row 10; found '0\.008 s after 0\.008 s'",
+            r"time does not increase at row 10; found '0\.008 s after 0\.008 s'",
         ),
-        (lambda t: t[::-1].copy(), "time does not ascend at row 2"),
+        (lambda t: t[::-1].copy(), "time does not increase at row 2"),
         (lambda t: t * 0.0, "time is zero in every row"),
         (
             lambda t: np.where(STEPS == 3, np.nan, t),
@@ -227,7 +227,7 @@ def test_values_that_are_held_are_not_taken_for_clipped() -> None:
 
 def test_a_clock_that_stands_or_goes_back_says_what_to_do() -> None:
     for time in (np.repeat(STEPS * 0.01, 2), np.concatenate([STEPS, STEPS]) * 0.01):
-        with pytest.raises(RecordingError, match=r"time does not ascend at .*sample_time"):
+        with pytest.raises(RecordingError, match=r"time does not increase at .*sample_time"):
             check_time(time, where="a.csv")
 
 

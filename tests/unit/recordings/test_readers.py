@@ -71,7 +71,7 @@ def test_all_columns_renamed_in_order(tmp_path: Path) -> None:
     file = write(tmp_path / "a.csv", "a, b", TIME, WAVE)
     run, _ = read_recording(file, columns="time [s], sprung.az [m/s^2]")
     np.testing.assert_array_equal(run["sprung.az"], WAVE)
-    with pytest.raises(RecordingError, match=r"names 1 columns, the file has 2.*found 'a, b'"):
+    with pytest.raises(RecordingError, match=r"names 1 columns, but the file has 2.*found 'a, b'"):
         read_recording(file, columns="time [s]")
 
 
@@ -141,7 +141,7 @@ def test_bad_rows_are_named_by_their_line(tmp_path: Path) -> None:
     time = TIME.copy()
     time[4] = time[3]
     file = write(tmp_path / "a.csv", "# made by hand\n\ntime [s], sprung.az [g]", time, WAVE)
-    with pytest.raises(RecordingError, match=r"a\.csv: time: time does not ascend at line 8"):
+    with pytest.raises(RecordingError, match=r"a\.csv: time: time does not increase at line 8"):
         read_recording(file)
 
 

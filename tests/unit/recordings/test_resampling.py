@@ -93,7 +93,7 @@ def test_a_gap_of_more_than_three_steps_is_a_warning(tmp_path: Path) -> None:
 def test_resampled_time_must_still_be_a_clock(tmp_path: Path) -> None:
     time = irregular()[:200]
     for change, message in (
-        (lambda t: t[::-1].copy(), "does not ascend"),
+        (lambda t: t[::-1].copy(), "does not increase"),
         (lambda t: np.where(np.arange(200) == 7, np.nan, t), "not a finite number"),
         (lambda t: t * 0.0, "zero in every row"),
         (lambda t: t[:5], "too few samples"),

@@ -111,14 +111,14 @@ def test_check_refuses_what_is_no_recording() -> None:
     other["time"].attrs["units"] = "ms"
     with pytest.raises(
         RecordingError,
-        match=r"time has another unit; found 'ms'; allowed: an attribute 'units' of 's'",
+        match=r"time has the wrong unit; found 'ms'; allowed: an attribute 'units' of 's'",
     ):
         check_recording(other)
-    with pytest.raises(RecordingError, match="does not ascend"):
+    with pytest.raises(RecordingError, match="does not increase"):
         check_recording(recording(TIME[::-1].copy(), good()))
     with pytest.raises(
         RecordingError,
-        match=r"sprung\.az: the channel has another unit; found 'g'; allowed: m/s\^2",
+        match=r"sprung\.az: the channel has a different unit; found 'g'; allowed: m/s\^2",
     ):
         check_recording(recording(TIME, {"sprung.az": (TIME, "g", "")}))
     with pytest.raises(RecordingError, match=r"a\.nc: sprung\.az: sample 3 is not a finite number"):

@@ -76,14 +76,17 @@ def test_the_file_reads_a_record_as_the_sensors_do(tmp_path: Path, record: Path)
         ('schema = "jounce.sensors/1"\n[sensors]\n"sprung.az" = 3\n', "sprung.az"),
         (
             'schema = "jounce.laboratory/1"\n[channels]\nch0 = 3\n',
-            "its measured quantity is missing",
+            "the quantity that it measures is missing",
         ),
         (SENSORS.replace("100 mV/(m/s^2)", "100 mV"), r"sprung.az.sensitivity: not a sensitivity"),
         (SENSORS.replace("0.2 V", "0.2 m"), r"sprung.az.zero"),
         (SENSORS.replace("4 V", "4 kg"), r"sprung.az.range"),
         (SENSORS.replace("zero", "zeero"), r"card.toml, line \d+.*zeero"),
         (SENSORS.replace('column = "ch0"', 'bias = "1 kg"'), "bias"),
-        (LABORATORY.replace('measures = "sprung.az", ', ""), "its measured quantity is missing"),
+        (
+            LABORATORY.replace('measures = "sprung.az", ', ""),
+            "the quantity that it measures is missing",
+        ),
         (LABORATORY.replace('"0.2 V"', "[1]"), "zero"),
     ],
 )

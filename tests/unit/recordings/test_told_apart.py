@@ -63,7 +63,7 @@ def test_text_is_read_without_a_header_and_as_dat(
     file = written(tmp_path / f"a{suffix}", "", TIME, ACCELERATION, separator=separator)
     run, _ = read_recording(file, columns="time [s], sprung.az [m/s^2]")
     assert np.allclose(run["sprung.az"], ACCELERATION, atol=1e-6)
-    with pytest.raises(RecordingError, match="names 3 columns, the file has 2"):
+    with pytest.raises(RecordingError, match="names 3 columns, but the file has 2"):
         read_recording(file, columns="time [s], sprung.az [m/s^2], sprung.z [m]")
     with pytest.raises(
         RecordingError, match=r"the header is missing.*give all names in their order"

@@ -15,7 +15,7 @@ RUN = recording(np.arange(9) * 0.1, {"sprung.z": (np.arange(9.0) ** 2, "m", "")}
 def test_existing_file_needs_force(tmp_path: Path, suffix: str) -> None:
     file = tmp_path / f"run{suffix}"
     file.write_text("precious")
-    with pytest.raises(OutputError, match=r"the output exists.*--force"):
+    with pytest.raises(OutputError, match=r"the output already exists.*--force"):
         write_recording(RUN, file)
     assert file.read_text() == "precious"
     assert write_recording(RUN, file, force=True) == file

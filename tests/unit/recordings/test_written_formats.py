@@ -80,7 +80,7 @@ def test_what_a_format_would_lose_is_refused(tmp_path, suffix) -> None:
     ):
         whole = xr.Dataset({"tyre.force": channel, "more": other}, coords=time)
         with pytest.raises(
-            OutputError, match=r"more: not a channel of numbers over time; found .* Leave it out"
+            OutputError, match=r"more: not a numeric channel over time; found .* Leave it out"
         ):
             jn.write_recording(whole, tmp_path / f"run{suffix}")
     assert not list(tmp_path.iterdir())

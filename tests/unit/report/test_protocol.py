@@ -420,7 +420,7 @@ def test_page_and_values_are_written_beside_each_other(sound: VehicleGrade, tmp_
 def test_nothing_is_overwritten_without_force(sound: VehicleGrade, tmp_path: Path) -> None:
     for name in ("car.pdf", "car.json"):
         (tmp_path / name).write_text("mine", encoding="utf-8")
-        with pytest.raises(OutputError, match="the output exists"):
+        with pytest.raises(OutputError, match="the output already exists"):
             write_protocol(sound, tmp_path / "car.pdf")
         assert (tmp_path / name).read_text(encoding="utf-8") == "mine"
         assert len(list(tmp_path.iterdir())) == 1

@@ -133,7 +133,7 @@ def test_edges_of_the_comfort_scale() -> None:
 def test_short_signals_that_are_enough() -> None:
     assert comfort.rms([2.0, 2.0], 5.0) == pytest.approx(2.0)
     assert comfort.mtvv(SINE[:1001], RATE) == pytest.approx(np.sqrt(0.5), rel=1e-3)
-    with pytest.raises(jn.RecordingError, match="not a signal"):
+    with pytest.raises(jn.RecordingError, match="invalid signal"):
         comfort.rms(np.ones((2, 2)), RATE)
 
 
@@ -183,9 +183,9 @@ def test_bad_signals() -> None:
         comfort.mtvv(SINE[:501], RATE)
     with pytest.raises(jn.DescriptionError, match="unknown averaging 'cubic'"):
         comfort.running_rms(SINE, RATE, averaging="cubic")
-    with pytest.raises(jn.RecordingError, match="not a signal"):
+    with pytest.raises(jn.RecordingError, match="invalid signal"):
         comfort.rms([1.0], RATE)
-    with pytest.raises(jn.RecordingError, match="not a signal"):
+    with pytest.raises(jn.RecordingError, match="invalid signal"):
         comfort.rms(SINE, 0.0)
     with pytest.raises(jn.RecordingError, match="the signal is zero"):
         comfort.crest_factor(np.zeros(10), RATE)

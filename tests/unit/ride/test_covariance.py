@@ -253,7 +253,7 @@ def test_a_distance_that_may_not_move_is_told_with_its_unit(monkeypatch) -> None
     car = jn.load("audi-a6-half-car")
     monkeypatch.setattr(type(car), "with_changes", refuse)
     with pytest.raises(
-        DescriptionError, match=r"no value other than this one is allowed; found '1\.62 m'"
+        DescriptionError, match=r"this parameter cannot be changed here; found '1\.62 m'"
     ):
         _ = LinearFamily(car, ("rear.distance",)).geometry
 

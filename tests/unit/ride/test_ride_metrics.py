@@ -335,7 +335,7 @@ def test_text_has_one_table_for_each_kind_of_place() -> None:
     [
         ({"start": "gravity"}, "unknown start of the record 'gravity'"),
         ({"travel": {"middle": (0.1, 0.1)}}, "unknown corner 'middle'"),
-        ({"travel": (0.1, 0.1, 0.1)}, "not a pair"),
+        ({"travel": (0.1, 0.1, 0.1)}, "two values are required"),
         ({"stop_gap": "5 s"}, "wrong unit"),
         ({"settling": "5 m"}, "wrong unit"),
     ],

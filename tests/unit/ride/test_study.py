@@ -224,7 +224,7 @@ def test_a_comparison_lists_what_failed_and_stops_where_nothing_is_driven(monkey
     )
     with pytest.raises(jn.SimulationError, match="skyhook left its range"):
         jn.compare_rides(rig, trial, ["skyhook", "groundhook"])
-    with pytest.raises(DescriptionError, match="no ride of that controller; allowed: passive"):
+    with pytest.raises(DescriptionError, match="no ride with this controller; allowed: passive"):
         found.ride("skyhook")
 
 

@@ -74,7 +74,7 @@ def test_degrees_of_roughness(text: str | float, value: float) -> None:
         ({"contact_length": "-1 mm"}, "contact_length: out of range; found '-1 mm'"),
         (
             {"waviness": 4.0, "band": "iso"},
-            "waviness: out of range; found 4.*; allowed: above 0, below 4",
+            "waviness: out of range; found 4.*; allowed: above 0 and below 4",
         ),
         ({"waviness": 0.0, "band": "iso"}, "waviness: out of range; found 0"),
         ({"waviness": math.nan, "band": "iso"}, "waviness: out of range"),
@@ -82,9 +82,9 @@ def test_degrees_of_roughness(text: str | float, value: float) -> None:
         ({"cut_off": math.inf}, "cut_off: out of range"),
         (
             {"cut_off": 0.01, "waviness": 1.9, "band": "iso"},
-            "a cut-off belongs to a road of waviness 2",
+            "a cut-off applies only to a road of waviness 2",
         ),
-        ({"road": flat, "cut_off": 0.01}, "a cut-off belongs to a road of waviness 2"),
+        ({"road": flat, "cut_off": 0.01}, "a cut-off applies only to a road of waviness 2"),
         (
             {"waviness": 1.9},
             'waviness: this requires a frequency band; found 1.9.*Give band="iso"',
@@ -92,10 +92,10 @@ def test_degrees_of_roughness(text: str | float, value: float) -> None:
         ({"contact_length": 0.1}, "contact_length: this needs a band"),
         ({"sides": "isotropic"}, "sides: this needs a band"),
         ({"sides": "mirrored"}, "relation of left and right.*mirrored"),
-        ({"band": (1.0, 1.0)}, "not a band of spatial frequencies; found"),
-        ({"band": (0.0, 1.0)}, "not a band of spatial frequencies"),
-        ({"band": (0.1, math.inf)}, "not a band of spatial frequencies"),
-        ({"band": ("a", "b")}, "not a band of spatial frequencies"),
+        ({"band": (1.0, 1.0)}, "invalid band of spatial frequencies; found"),
+        ({"band": (0.0, 1.0)}, "invalid band of spatial frequencies"),
+        ({"band": (0.1, math.inf)}, "invalid band of spatial frequencies"),
+        ({"band": ("a", "b")}, "invalid band of spatial frequencies"),
     ],
 )
 def test_refused(options, words) -> None:

@@ -113,8 +113,8 @@ def test_the_largest_gain_of_wk() -> None:
             "the sample rate is too low for the weighting; found '40 Hz'; allowed: 50 Hz or more",
         ),
         ([0.0, 1.0], np.nan, "Wk", "the sample rate is too low"),
-        ([0.0], 1000.0, "Wk", "not a signal"),
-        ([[0.0, 1.0]], 1000.0, "Wk", "not a signal"),
+        ([0.0], 1000.0, "Wk", "invalid signal"),
+        ([[0.0, 1.0]], 1000.0, "Wk", "invalid signal"),
     ],
 )
 def test_bad_input_is_one_message(values, rate, name, text) -> None:

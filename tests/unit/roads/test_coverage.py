@@ -95,10 +95,10 @@ def test_points_of_tables(tmp_path) -> None:
     [
         (
             "2,0\n1,0\n0,1\n",
-            r"lane\.csv: column 'x \[m\]': x runs backwards; found '2 to 0 m'\. Reverse the order",
+            r"lane\.csv: column 'x \[m\]': x decreases; found '2 to 0 m'\. Reverse the order",
         ),
-        ("0,0\n2,0\n1,1\n", r"x does not ascend from row 2 to row 3"),
-        ("0,0\n1,0\n1,1\n", r"x does not ascend from row 2 to row 3; found '1 m, then 1 m'"),
+        ("0,0\n2,0\n1,1\n", r"x does not increase from row 2 to row 3"),
+        ("0,0\n1,0\n1,1\n", r"x does not increase from row 2 to row 3; found '1 m, then 1 m'"),
         ("0,0\n1,1\nNaN,NaN\n", r"line 4: column 'x \[m\]': not a finite number; found 'NaN'"),
         ("0,0\n1,nan\n2,1\n", r"line 3: column 'z \[m\]': not a finite number; found 'nan'"),
         ("0,0\n1,\n2,1\n", r"line 3: column 'z \[m\]': the cell is blank"),

@@ -138,7 +138,7 @@ def test_length_of_the_contact() -> None:
         0.64 * (0.671 * share**0.5 + 0.733 * share), rel=1e-12
     )
     for wrong in ((0.0, 200e3, 0.32), (4e3, 0.0, 0.32), (4e3, 200e3, -0.1)):
-        with pytest.raises(DescriptionError, match="not a loaded tyre"):
+        with pytest.raises(DescriptionError, match="a loaded tyre needs positive values"):
             contact_length(*wrong)
     assert contact_length(0.5, 0.25, 0.5, linear=1.0, root=0.5) == pytest.approx(0.5 * 2.0 + 4.0)
 

@@ -84,7 +84,7 @@ def test_a_load_that_never_comes():
         ({"time": [0, 1, 2], "values": [0, 1]}, "time has 3 numbers and values has 2"),
         ({"time": [0], "values": [1]}, "at least 2"),
         ({"values": [1, 2]}, "either value"),
-        ({"time": [0, 1, 1], "values": [0, 1, 2]}, "does not ascend"),
+        ({"time": [0, 1, 1], "values": [0, 1, 2]}, "does not increase"),
         ({"time": [-1, 1], "values": [0, 1]}, "at least 0"),
         ({"value": 1.0, "start": -1.0}, "at least 0"),
         ({"value": 1.0, "ramp": "-1 s"}, "at least 0"),

@@ -234,7 +234,7 @@ def test_an_obstacle_as_long_as_the_loop_leaves_no_gap() -> None:
         ),
         (lambda: Trapezoid(height=H, length=L, ramp=0), "ramp: out of range"),
         (lambda: HalfCylinder(radius=-0.1), "radius: out of range"),
-        (lambda: Flat().height_at([0.0, np.nan]), "not a distance"),
+        (lambda: Flat().height_at([0.0, np.nan]), "invalid distance"),
     ],
 )
 def test_refuses(build, says) -> None:

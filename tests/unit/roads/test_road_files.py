@@ -145,7 +145,7 @@ def test_road_files_with_mistakes(tmp_path, text, says) -> None:
 def test_files_that_are_no_roads(tmp_path) -> None:
     with pytest.raises(
         DescriptionError,
-        match=r"no such file and no shipped road.*Did you mean 'detrended_rms_course_1in'",
+        match=r"no such file, and no road.*Did you mean 'detrended_rms_course_1in'",
     ):
         load_road("detrended_rms_course_1inch")
     (tmp_path / "photo.png").write_bytes(b"\x89PNG")

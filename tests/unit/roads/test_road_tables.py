@@ -70,8 +70,8 @@ def test_units_arrays_and_a_closed_loop() -> None:
             {"x": [0, 1, 2], "height": [0, 0, 0], "interpolation": "cubic"},
             "3 points; cubic .* at least 4",
         ),
-        ({"x": [0, 2, 2], "height": [0, 1, 2]}, r"x\[2\] = 2 does not lie above x\[1\] = 2"),
-        ({"x": [0, 2, 1], "height": [0, 1, 2]}, r"x\[2\] = 1 does not lie above x\[1\] = 2"),
+        ({"x": [0, 2, 2], "height": [0, 1, 2]}, r"x\[2\] = 2 is not above x\[1\] = 2"),
+        ({"x": [0, 2, 1], "height": [0, 1, 2]}, r"x\[2\] = 1 is not above x\[1\] = 2"),
         ({"x": [0, float("nan")], "height": [0, 1]}, r"x\[1\]: not a finite number"),
         ({"x": [0, 1], "height": [0, "1"]}, r"height\[1\]: the unit is missing"),
         (

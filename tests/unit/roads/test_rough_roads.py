@@ -88,9 +88,9 @@ def test_filtered_noise_has_the_density_of_the_road() -> None:
     variance = np.trapezoid(gain**2 / ((2 * np.pi * frequency) ** 2 + pole**2), frequency)
     assert gain**2 / (4 * pole) == pytest.approx(variance, rel=1e-3)
     for cutoff in (-0.01, 0.0, np.inf):
-        with pytest.raises(DescriptionError, match="not a spatial frequency"):
+        with pytest.raises(DescriptionError, match="invalid spatial frequency"):
             filtered_noise("B", 25.0, cutoff=cutoff)
-    with pytest.raises(DescriptionError, match="not a speed"):
+    with pytest.raises(DescriptionError, match="invalid speed"):
         filtered_noise("B", 0.0)
 
 
@@ -339,7 +339,7 @@ def test_coherence_of_the_models() -> None:
 @pytest.mark.parametrize(
     ("x", "z", "says"),
     [
-        (np.arange(30.0), np.zeros(29), "not a profile"),
+        (np.arange(30.0), np.zeros(29), "invalid profile"),
         (np.arange(10.0), np.zeros(10), "16 or more"),
         (np.arange(30.0), np.full(30, np.nan), "NaN or infinite"),
         (np.arange(30.0)[::-1], np.zeros(30), "the distance is reversed"),
@@ -388,5 +388,5 @@ def test_what_a_random_road_is_by_default() -> None:
     assert Iso8608(class_="C", length=50).fade == 5.0
     assert as_roughness(3e-5) == 3e-5
     for wrong in (0.0, -1.0, np.inf):
-        with pytest.raises(DescriptionError, match="not a degree of roughness"):
+        with pytest.raises(DescriptionError, match="invalid degree of roughness"):
             as_roughness(wrong)

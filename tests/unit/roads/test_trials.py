@@ -190,9 +190,12 @@ def test_refuses(fields, says) -> None:
     [
         (
             "time [s],road.z [mm]\n0,0\n1,0\n0.5,0\n2,1\n",
-            r"time does not ascend from row 2 to row 3",
+            r"time does not increase from row 2 to row 3",
         ),
-        ("time [s],road.z [mm]\n0,0\n0,0\n0,0\n0,1\n", r"time does not ascend from row 1 to row 2"),
+        (
+            "time [s],road.z [mm]\n0,0\n0,0\n0,0\n0,1\n",
+            r"time does not increase from row 1 to row 2",
+        ),
         ("time [s],road.z [mm]\n0,0\n1,0\n2,1\n", "too few rows; found 3; allowed: at least 4"),
         ("time [s],z [mm]\n0,0\n1,0\n2,1\n3,1\n", r"no column 'road\.z'"),
         ("time [s],road.z [N]\n0,0\n1,0\n2,1\n3,1\n", r"column 'road\.z \[N\]': wrong unit"),

@@ -154,8 +154,8 @@ def changed(values: np.ndarray, row: int, value: float) -> np.ndarray:
 @pytest.mark.parametrize(
     ("x", "z", "text"),
     [
-        (X[::-1], Z, "distance runs backwards"),
-        (changed(X, 7, X[6]), Z, "distance does not ascend at row 8"),
+        (X[::-1], Z, "the distance decreases"),
+        (changed(X, 7, X[6]), Z, "distance does not increase at row 8"),
         (changed(X, 7, X[7] + 0.01), Z, "not evenly spaced: see row"),
         (np.concatenate([X[:500], X[501:]]), Z[:-1], "see row 501; found 'a step of 0.5 m'"),
         (
@@ -252,8 +252,8 @@ def test_profiles_with_and_without_a_header(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("0 1\n0.25 nan\n", "line 2: not a finite number"),
-        ("0 1\n0.25\n", "line 2: not two numbers"),
-        ("0 1\n0.25 one\n", "line 2: not two numbers"),
+        ("0 1\n0.25\n", "line 2: two numbers are required"),
+        ("0 1\n0.25 one\n", "line 2: two numbers are required"),
         ("x [m], z [m]\n0, 1\n0.25, nan\n", "line 3"),
         ("x [m], z [s]\n0, 1\n0.25, 1\n", "wrong unit"),
         ("x, z\n0, 1\n0.25, 1\n", "the column has no unit"),

@@ -95,7 +95,7 @@ def test_answers_for_one_corner(rig: jn.Rig, answer: object) -> None:
 def test_answers_that_are_no_command(rig: jn.Rig, answer: object) -> None:
     with pytest.raises(
         jn.SimulationError,
-        match=r"control function at t = 0 s: the controller's answer is not a command",
+        match=r"control function at t = 0 s: the controller did not return a valid command",
     ):
         jn.simulate(rig, TRIAL, control=lambda _measurement, _t: answer)
 
@@ -206,7 +206,7 @@ def test_gravity_says_what_a_corner_carries() -> None:
     [
         ({"control": Skyhook(rate=1e9)}, "too many control instants"),
         ({"control": controller("mpc", rate=1e4)}, "the plan has too many steps"),
-        ({"control": "skyhook", "method": "implicit"}, "controlled runs are explicit"),
+        ({"control": "skyhook", "method": "implicit"}, "controlled runs need the explicit method"),
         ({"control": "skyhok"}, "unknown controller 'skyhok'.*Did you mean 'skyhook'"),
         ({"control": 3}, "not a controller"),
     ],

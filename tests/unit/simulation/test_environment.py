@@ -70,8 +70,8 @@ def test_seeds_choose_the_road() -> None:
     [
         ({"observed": ["sprung.colour"]}, "unknown channel 'sprung.colour'"),
         ({"cost": {"sprung.colour": 1.0}}, "unknown channel 'sprung.colour'"),
-        ({"cost": {"sprung.az": -1.0}}, "not a weight"),
-        ({"rate": 0.0}, "not a rate"),
+        ({"cost": {"sprung.az": -1.0}}, "invalid weight"),
+        ({"rate": 0.0}, "invalid rate"),
     ],
 )
 def test_bad_options_are_refused(options: dict[str, object], message: str) -> None:

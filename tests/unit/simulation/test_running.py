@@ -61,9 +61,9 @@ def test_a_softer_damper_takes_more_loops() -> None:
     ("start", "road", "changes", "what"),
     [
         ("periodic", jn.HalfSine(height="10 mm", length="60 mm"), {}, "the road does not recur"),
-        (-1, BELT, {}, "not a start"),
-        (10_000, BELT, {}, "not a start"),
-        ("soon", BELT, {}, "not a start"),
+        (-1, BELT, {}, "invalid start"),
+        (10_000, BELT, {}, "invalid start"),
+        ("soon", BELT, {}, "invalid start"),
         (
             "periodic",
             BELT,

@@ -116,11 +116,11 @@ def test_shares_of_a_negative_number_keep_the_order_of_the_ends():
         ("±2 mm", "kg"),
         ("±-2 kg", "±2 kg"),
         ([1.0, float("inf")], "finite"),
-        ({"mean": 16.0}, "not a distribution"),
+        ({"mean": 16.0}, "invalid distribution"),
         ({"mean": 16.0, "sd": 0.0}, "above 0"),
         ({"sd": "-5 %"}, "20 %"),
         ({"low": 14.0, "mode": 20.0, "high": 18.0}, "the mode is outside"),
-        (16.0, "nothing to spread over"),
+        (16.0, "no distribution is given"),
     ],
 )
 def test_what_is_no_spread_is_refused(spread, said):
@@ -136,7 +136,7 @@ def test_a_reach_in_the_number_s_unit_goes_to_either_side_of_it_even_of_zero():
 
 
 def test_a_share_of_zero_would_vary_nothing():
-    with pytest.raises(DescriptionError, match="a share of zero"):
+    with pytest.raises(DescriptionError, match="a relative spread around zero has no width"):
         sobol({"preload": "20 %"}, 8).values(lambda _: (0.0, "N"))
 
 

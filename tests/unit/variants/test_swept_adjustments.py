@@ -77,8 +77,8 @@ def test_a_value_out_of_range_is_the_reason_of_its_variant() -> None:
             "angle_of_attack",
             "lower_arm_length, .*strut_angle, .*upper_arm_length",
         ),
-        ("kart-double-wishbone", "link_1_length", "no such parameter"),
-        ("kart-quarter-car", "upper_arm_length", "no such parameter"),
+        ("kart-double-wishbone", "link_1_length", "unknown parameter"),
+        ("kart-quarter-car", "upper_arm_length", "unknown parameter"),
     ],
 )
 def test_unknown_names_are_refused_with_what_is_allowed(rig: str, name: str, said: str) -> None:

@@ -195,7 +195,7 @@ class FmuComponent(Plain):
         wanted = base_units(si)
         if any(unit.powers.get(base, 0) != wanted.get(base, 0) for base in _BASES):
             raise DescriptionError(
-                "the unit does not fit",
+                "the unit does not match",
                 where=f"{self.path}: {variable.name}",
                 found=variable.unit,
                 allowed=Phrase("a unit that converts to {si}", si=si),
@@ -338,7 +338,9 @@ def _parse(text: bytes, where: str) -> ET.Element:
         return parse_xml(text)
     except (ET.ParseError, ValueError, LookupError) as error:
         raise DescriptionError(
-            Phrase("its modelDescription.xml is not XML of an FMU: {error}", error=str(error)),
+            Phrase(
+                "its modelDescription.xml is not valid XML of an FMU: {error}", error=str(error)
+            ),
             where=where,
         ) from None
 
@@ -487,7 +489,7 @@ def _units(root: ET.Element, where: str) -> dict[str, _Unit]:
         }
         factor = 1.0 if factor is None else factor
         if factor == 0.0:
-            raise DescriptionError("a unit of factor 0", where=place)
+            raise DescriptionError("a unit with a factor of 0", where=place)
         units[name] = _Unit(factor, offset or 0.0, powers)
     return units
 

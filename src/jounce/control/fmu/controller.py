@@ -195,7 +195,7 @@ class _Whole:
         )
         raise SimulationError(
             Phrase(
-                "the input {name} requires whole numbers, but {channel} is not one",
+                "the input {name} requires whole numbers, but {channel} does not supply them",
                 name=self.name,
                 channel=self.channel,
             )
@@ -270,7 +270,7 @@ class _Connection:
                 if any(v.name == name for v in outputs):
                     return self._output(name, "")[0]
             raise DescriptionError(
-                "the FMU has several outputs, or none; which one is the command?",
+                "the FMU has no output or several; name the one that is the command",
                 where="control: output",
                 allowed=", ".join(v.name for v in outputs) or "an FMU with outputs",
             )
@@ -416,7 +416,7 @@ class _Connection:
         for name in self.law.counts:
             if name not in wholes:
                 raise DescriptionError(
-                    "counts are for connected inputs and outputs of whole numbers",
+                    "counts apply only to connected integer inputs and outputs",
                     where=f"control: counts: {name}",
                     allowed=", ".join(wholes) or "none in this FMU",
                 )
@@ -483,7 +483,7 @@ class _Connection:
                         elements=_elements(variable),
                     )
                     raise DescriptionError(
-                        "not the values of an array", where=where, found=value, allowed=text
+                        "not a list of array values", where=where, found=value, allowed=text
                     )
                 starts[variable.name] = (
                     variable,
@@ -504,7 +504,7 @@ class _Connection:
         if kind == "String":
             if not isinstance(value, str) or not _is_text(value):
                 raise DescriptionError(
-                    "not a value of its type", where=where, found=value, allowed="a text"
+                    "the value has the wrong type", where=where, found=value, allowed="a text"
                 )
             return value
         if kind in REALS:
@@ -522,7 +522,7 @@ class _Connection:
                 else Phrase("a whole number ({kind})", kind=variable.kind)
             )
             raise DescriptionError(
-                "not a value of its type", where=where, found=value, allowed=allowed
+                "the value has the wrong type", where=where, found=value, allowed=allowed
             )
         least, most = _range(variable, self.component.version)
         if not least <= value <= most:
@@ -567,7 +567,7 @@ class _Connection:
             or not any(name in given for name in (corner, corner.partition("_")[0]))
         ):
             raise DescriptionError(
-                "values by corner do not match the corners with separate instances",
+                "the values by corner do not match the corners that have their own instance",
                 where=where,
                 found=", ".join(map(str, given)),
                 allowed=", ".join(sorted(known)) if corner else "one value",

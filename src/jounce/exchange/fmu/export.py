@@ -202,7 +202,7 @@ def export_fmu(  # noqa: PLR0913 - each is an option of the command
     """
     file = check_writable(path, what="FMUs", suffixes=(".fmu",), force=force)
     if version not in (2, 3):
-        raise OutputError("no such version of FMI", where="version", found=version, allowed="2, 3")
+        raise OutputError("unknown FMI version", where="version", found=version, allowed="2, 3")
     rig = rig if isinstance(rig, Mechanism) else as_rig(rig)
     platforms = () if sources_only else platforms
     wanted = (this_platform(),) if platforms is None else tuple(dict.fromkeys(platforms))

@@ -269,7 +269,7 @@ def _of_mechanism(mechanism: Mechanism) -> Subject:
     lacking = [name for name in mechanism.parameters if name not in every]
     if lacking:
         raise SimulationError(
-            "parameters without a value",
+            "some parameters have no value",
             where=", ".join(lacking),
             hint="Set them in the parts of the mechanism.",
         )

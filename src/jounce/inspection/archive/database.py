@@ -134,7 +134,10 @@ _PASSWORD, _PASSWORD_ASKED = re.compile(r"(://[^/:@]*:).*@"), re.compile(r"([?&]
 _PATIENCE = 10  # s to wait for a server
 _CLAIMED = 5.0  # s after which a claim on a store's name is considered stale
 _MAKING = 0x6A6F756E6365  # ID of the lock for creating tables: "jounce"
-_LEFT_ALONE = "It was left unchanged; use a copy of the store. To save what is readable: jounce inspect export --damaged."
+_LEFT_ALONE = (
+    "The store was left unchanged; use a backup copy. To save the readable records: jounce "
+    "inspect export --damaged."
+)
 
 
 class DamagedStoreError(RecordingError):
@@ -173,7 +176,7 @@ def open_database(location: str, *, read_only: bool, damaged: bool = False) -> E
         raise OutputError(
             "the folder of the store does not exist",
             where=str(file.parent),
-            hint="Create it first.",
+            hint="Create the folder first.",
         )
     if not file.exists():
         if read_only:
@@ -232,7 +235,7 @@ def reported_errors(location: str) -> Iterator[None]:
             ) from None
         hint = "Check permissions and disk space."
         if "locked" in reason:
-            hint = "Another process writes; try again."
+            hint = "Another process is writing; try again."
         elif file_of(location) is None:
             hint = "Check the server, its database, the permissions and the password."
         raise OutputError(
@@ -259,7 +262,7 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         ) from None
     except (ArgumentError, ValueError):  # their messages contain parts of the password
         hint = "In a password, write / : @ as %2F %3A %40."
-        what = "no database: the address cannot be read"
+        what = "the database address cannot be read"
         raise DescriptionError(
             what, where="store", found=hide_password(location), allowed=allowed, hint=hint
         ) from None
@@ -269,7 +272,7 @@ def _open_other(location: str, *, read_only: bool) -> Engine:
         )
         what, hint = (
             "the driver of this database is not installed",
-            Phrase("Install it with: {command}", command=command),
+            Phrase("Install the driver with: {command}", command=command),
         )
         raise RecordingError(what, where=hide_password(location), hint=hint) from None
     try:
@@ -409,9 +412,7 @@ def _check_file(file: Path) -> None:
         if has_log or size >= stated:
             return
         time.sleep(0.05 * (attempt + 1))  # another process may be writing its last pages
-    what = Phrase(
-        "the store is damaged: {size} of {stated} bytes are there", size=size, stated=stated
-    )
+    what = Phrase("the store is damaged: it has {size} of {stated} bytes", size=size, stated=stated)
     raise DamagedStoreError(what, where=str(file), hint=_LEFT_ALONE)
 
 

@@ -361,7 +361,7 @@ def _with_tester(entry: RecordEntry, tester: Tester | None) -> RecordEntry:
             where=entry.name,
             found=entry.tester,
             allowed=", ".join(library()),
-            hint="Grade it with: jounce inspect reevaluate --tester.",
+            hint="Grade the record with: jounce inspect reevaluate --tester.",
         )
     return replace(entry, tester_table=_table_of(shipped[entry.tester]))
 
@@ -391,9 +391,9 @@ def stored_tester(entry: RecordEntry) -> Tester:
     """Return the tester of a stored record from its description."""
     if entry.tester_table is None:
         raise RecordingError(
-            "the tester of this record is not known",
+            "the tester of this record is unknown",
             where=entry.name,
-            hint="Name it with --tester.",
+            hint="Name the tester with --tester.",
         )
     return Tester.from_table(dict(entry.tester_table), where=entry.tester)
 

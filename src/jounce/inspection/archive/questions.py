@@ -124,7 +124,7 @@ def read_inspection_history(
     >>> Store(file).close()
     >>> read_inspection_history("B-AB 123", file)   # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    jounce.core.errors.RecordingError: ...: no record of this number plate; found 'B-AB 123'. See: inspect search.
+    jounce.core.errors.RecordingError: ...: no record of this number plate; found 'B-AB 123'. List the vehicles ...
     """
     with closing(Store(store, read_only=True)) as opened:
         records, visits = opened.records(plate=plate), history_of(opened, plate)
@@ -133,7 +133,7 @@ def read_inspection_history(
                 "no record of this number plate",
                 where=opened.location,
                 found=plate,
-                hint="See: inspect search.",
+                hint="List the vehicles with: jounce inspect search.",
             )
     newest, numbers = records[-1], tuple(record.number for record in records)
     return VehicleHistory(
@@ -379,7 +379,7 @@ def verify_inspections(store: Annotated[Path | str, STORE]) -> VerifiedStore:
         raise RecordingError(
             Phrase("the store is damaged: {problems}", problems="; ".join(problems)),
             where=opened.location,
-            hint="Use a copy of the store.",
+            hint="Use a backup copy of the store.",
         )
     return VerifiedStore(opened.location, count)
 
@@ -477,7 +477,7 @@ def reevaluate_inspections(
     """
     if workers < 1:
         raise DescriptionError(
-            "not a number of processes", where="workers", found=workers, allowed="1 or more"
+            "invalid number of processes", where="workers", found=workers, allowed="1 or more"
         )
     chosen, graded_by = None if tester is None else load_tester(tester), load_limits(limits)
     Store(store, read_only=True).close()  # raises an error instead of creating a missing store

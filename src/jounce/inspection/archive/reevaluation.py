@@ -143,7 +143,8 @@ def _results(
             yield results
         except BrokenProcessPool:
             raise ResourceError(
-                "a process was terminated externally", hint="Completed work is stored; start again."
+                "a process was terminated externally",
+                hint="Completed work is stored; run the command again to continue.",
             ) from None
         finally:
             pool.shutdown(cancel_futures=True)

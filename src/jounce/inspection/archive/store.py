@@ -184,7 +184,7 @@ class Store:
             raise DamagedStoreError(
                 Phrase("record {number} is damaged", number=number),
                 where=self.location,
-                hint="Restore it from a copy.",
+                hint="Restore it from a backup copy.",
             )
         return content, sidecar
 
@@ -433,7 +433,7 @@ def _grading(row: Any) -> Grading | None:
     if _seal(row.record, row.verdict, row.limits, row.software, row.result) != row.result_seal:
         raise DamagedStoreError(
             Phrase("a grading of record {record} is damaged", record=row.record),
-            hint="Use a copy of the store.",
+            hint="Use a backup copy of the store.",
         )
     return Grading(row.verdict, row.limits, row.software, json.loads(row.result))
 
@@ -443,7 +443,7 @@ def _record_of_row(row: Any, grading: Grading | None) -> StoredRecord:
     if _seal(*known.values()) != row.seal:
         raise DamagedStoreError(
             Phrase("the metadata of record {number} are damaged", number=row.number),
-            hint="Use a copy of the store.",
+            hint="Use a backup copy of the store.",
         )
     return StoredRecord(row.number, **known, grading=grading)
 

@@ -150,7 +150,7 @@ class FolderWatch:
             if self._busy == reason:
                 return None
             self._busy = reason
-            return Seen(file, None, Phrase("{error} It is tried again.", error=error.message()))
+            return Seen(file, None, Phrase("{error} jounce tries again.", error=error.message()))
         self._busy = ""
         self._waiting.pop(path, None)
         return seen

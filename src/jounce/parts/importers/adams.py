@@ -156,7 +156,10 @@ def import_adams(
     role = header.values.get("MAJOR_ROLE", "")
     if role.lower() != "suspension":
         raise DescriptionError(
-            "the subsystem is no suspension", where=header.where, found=role, allowed="suspension"
+            "the subsystem is not a suspension",
+            where=header.where,
+            found=role,
+            allowed="suspension",
         )
     reading = _Subsystem(file, {**(names or {})})
     table = reading.table(wheel_radius, wheel_mass, tyre_stiffness, sprung_mass, rigid=rigid)
@@ -280,7 +283,9 @@ class _Subsystem:
                     table.rows.append(PointRow(cells[0], place, where))
         if not table.rows:
             raise DescriptionError(
-                "no hardpoints are in it", where=str(self.file.path), allowed="a block [HARDPOINT]"
+                "the file contains no hardpoints",
+                where=str(self.file.path),
+                allowed="a block [HARDPOINT]",
             )
         return table
 
@@ -308,7 +313,7 @@ class _Subsystem:
                     Phrase("the part {usage} is given twice", usage=part.usage),
                     where=part.where,
                     found=f"first in {seen[part.usage]}",
-                    allowed="every part once for a side",
+                    allowed="each part once per side",
                 )
             name = next((name for name, usages in _BODIES.items() if part.usage in usages), "")
             if name not in names or (part.usage == "lower_strut" and model != "mcpherson"):
@@ -587,7 +592,7 @@ def _frame(x: Array, z: Array, where: str) -> Array:
     along = np.linalg.norm(z)
     across = np.cross(z, x)
     if along < 1e-9 or np.linalg.norm(across) < 1e-9:
-        raise DescriptionError("the axes of a part are parallel, or nothing", where=where)
+        raise DescriptionError("the axes of a part are parallel or zero", where=where)
     z, y = z / along, across / np.linalg.norm(across)
     return np.column_stack([np.cross(y, z), y, z])
 
@@ -622,7 +627,7 @@ def _bushing_file(file: Path, scales: list[float]) -> tuple[dict[str, Any], floa
         slope = (high - low) / (ends[1] - ends[0])
         if slope < 0.0:
             raise DescriptionError(
-                "a bushing that pushes away", where=properties.first(f"{axis}_CURVE").where
+                "a bushing with negative stiffness", where=properties.first(f"{axis}_CURVE").where
             )
         slopes.append(scale * float(slope))
         largest = float(np.abs(y).max())
@@ -649,7 +654,9 @@ def _xml_spring(file: Path) -> tuple[float, Array, Array]:
         (element for element in root.iter() if element.tag.endswith("SpringProperties")), None
     )
     if spring is None:
-        raise DescriptionError("no spring is in it", where=str(file), allowed="SpringProperties")
+        raise DescriptionError(
+            "the file contains no spring", where=str(file), allowed="SpringProperties"
+        )
     properties = TeimOrbit(file, [Block("UNITS", str(file), units)])
     length, force = properties.unit("LENGTH"), properties.unit("FORCE")
     text = "".join(spring.itertext())

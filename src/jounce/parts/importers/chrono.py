@@ -60,7 +60,7 @@ def _unit(vector: Array, where: str) -> Array:
     length = float(np.linalg.norm(vector))
     if length < 1e-9:
         raise DescriptionError(
-            "two points are the same, or three lie on one line", where=where, allowed="a triangle"
+            "two points coincide, or three are collinear", where=where, allowed="a triangle"
         )
     return vector / length
 

@@ -83,7 +83,9 @@ class ChronoFile:
         """Name given in the file, or the name of the file."""
         name = self.table.get("Name", self.path.stem)
         if not isinstance(name, str):
-            raise DescriptionError("not a name", where=self.at("Name"), found=name, allowed="text")
+            raise DescriptionError(
+                "invalid name", where=self.at("Name"), found=name, allowed="text"
+            )
         return name
 
     def at(self, *keys: str) -> str:
@@ -159,17 +161,17 @@ class ChronoFile:
         if not fits or not np.isfinite(numbers).all() or _has_truth(value):
             wanted = " x ".join("n" if n < 0 else str(n) for n in shape) or "one"
             raise DescriptionError(
-                "not the numbers that belong here",
+                "unexpected numbers",
                 where=where,
                 found=f"shape {numbers.shape}",
                 allowed=Phrase("{wanted} finite numbers", wanted=wanted),
             )
         if np.abs(numbers).max(initial=0.0) > LARGEST:
             raise DescriptionError(
-                "an impossible size",
+                "an impossible value",
                 where=where,
                 found=float(np.abs(numbers).max()),
-                allowed=Phrase("sizes up to {largest:g}", largest=LARGEST),
+                allowed=Phrase("magnitudes up to {largest:g}", largest=LARGEST),
             )
         return numbers
 
@@ -177,7 +179,7 @@ class ChronoFile:
 def ascending(values: Array, where: str) -> None:
     """Refuse fewer than two values, or values that are not ascending."""
     if len(values) < 2 or not bool(np.all(np.diff(values) > 0.0)):
-        raise DescriptionError("not at least two ascending values", where=where)
+        raise DescriptionError("fewer than two ascending values", where=where)
 
 
 def _has_truth(value: object) -> bool:
@@ -373,7 +375,7 @@ def damper_map(file: ChronoFile) -> DamperMap:
         and math.isclose(float(np.abs(velocity).min()), 0.0, abs_tol=1e-9)
     ):
         raise DescriptionError(
-            "the velocities do not lie about zero",
+            "the velocities do not span zero",
             where=file.at("Shock", "Map Data"),
             found=velocity.tolist(),
             allowed="negative ones (bump), 0, positive ones (rebound)",

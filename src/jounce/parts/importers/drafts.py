@@ -182,7 +182,8 @@ def _estimate_sprung_mass(draft: Draft, rig: Corner) -> float:
         mass = SPRUNG_MASS + (spring_force(rig) - static_spring_force(rig)) * ratio / rig.gravity
     except (np.linalg.LinAlgError, ZeroDivisionError):
         raise DescriptionError(
-            "the joints do not let the wheel rise, or not in one way only", where=str(draft.path)
+            "the joints prevent the wheel from rising, or allow more than one motion",
+            where=str(draft.path),
         ) from None
     # kg, chosen: a lower limit would accept a nearly unloaded spring, a higher one reject that of a light kart.
     if mass > 20.0:

@@ -116,7 +116,7 @@ _LARGEST, _ROWS, _COLUMNS = (
     200,
 )  # bytes, ...: a car has 100 points; more is no table of points
 _STRUT = ("strut_bottom", "strut_top")
-_ADVICE = "Give names with --name THEIRS=OURS."
+_ADVICE = "Map names with --name THEIRS=OURS."
 
 
 @operation(
@@ -261,10 +261,10 @@ def _read(file: Path) -> PointTable:
         )
         if is_laid and any(map(_is_number, cells[width:])):
             raise DescriptionError(
-                "more numbers than columns",
+                "a row has more numbers than the table has columns",
                 where=where,
                 found=" ".join(cells)[:80],
-                allowed=Phrase("{width} cells, as in the row that names them", width=width),
+                allowed=Phrase("{width} cells, as in the header row", width=width),
                 hint="Decimal commas need semicolons or tabs between the cells.",
             )
         row = _row(cells, columns, where)
@@ -285,7 +285,7 @@ def _read(file: Path) -> PointTable:
             table.unread.append((where, cells))
     if not table.rows:
         raise DescriptionError(
-            "no points are in it",
+            "the file contains no points",
             where=str(file),
             allowed="rows of a name and three coordinates: name, x, y, z",
         )
@@ -559,8 +559,8 @@ class PointReading:
         sorted_out = [(row, *_sort_out(row.name)) for row in self.table.rows]
         axles = {of_axle for _, _, of_axle, _ in sorted_out if of_axle}
         if axle is None and len(axles) > 1:
-            hint = "Say which one is read: --axle front or rear."
-            raise DescriptionError("the table holds two axles", where=str(self.file), hint=hint)
+            hint = "Choose the axle to read with --axle front or --axle rear."
+            raise DescriptionError("the table contains two axles", where=str(self.file), hint=hint)
         has_both = {of_side for _, _, _, of_side in sorted_out if of_side} == {"left", "right"}
         corners: dict[str, dict[str, PointRow]] = {"left": {}, "right": {}}
         unused = []
@@ -614,8 +614,8 @@ class PointReading:
                 where=row.where,
                 found=f"{row.name!r} at {row.place.tolist()}, and {before.name!r} at {before.place.tolist()} "
                 f"({before.where})",
-                allowed="every point once",
-                hint="Two sides of a car are told apart by a column of left and right, or by names that end so.",
+                allowed="each point once",
+                hint="Distinguish the sides of the car by a column with left and right, or by names ending in them.",
             )
 
     def _refuse_one_side(self, across: Array) -> None:
@@ -627,10 +627,10 @@ class PointReading:
             y, other_y = across @ row.place, across @ other.place
             if y * other_y > 0.0:
                 raise DescriptionError(
-                    "left and right points lie on the same side",
+                    "left and right points are on the same side",
                     where=other.where,
                     found=f"{row.name} with y = {y:g}, {other.name} with y = {other_y:g}",
-                    allowed="signs of y that differ",
+                    allowed="opposite signs of y",
                 )
 
     def rig(
@@ -725,7 +725,7 @@ class PointReading:
                 Phrase("points of a {model} are missing", model=model),
                 where=str(self.file),
                 found=", ".join(self.points),
-                allowed=Phrase("also {missing}", missing=", ".join(missing)),
+                allowed=Phrase("these points and {missing}", missing=", ".join(missing)),
                 hint=_ADVICE,
             )
         further = [name for name in self.points if name not in points.model_fields]
@@ -753,7 +753,7 @@ class PointReading:
                 found=f"lower_arm_front at x = {self.points['lower_arm_front'][0]:g}, lower_arm_rear at "
                 f"x = {self.points['lower_arm_rear'][0]:g}, after axes {axes}",
                 allowed="x forward",
-                hint='Turn x round: --axes "-x,y,z".',
+                hint='Reverse x: --axes "-x,y,z".',
             )
         if self.points["wheel_centre"][1] < 0.0:
             self.note("parts.import_mirrored")
@@ -804,24 +804,24 @@ class PointReading:
         if not chosen:
             if meant[:1] not in (["m"], ["mm"]) or len(meant) > 1:
                 raise DescriptionError(
-                    "the unit is not in the file, and cannot be told from the points",
+                    "the file does not state the unit, and the points do not reveal it",
                     where=str(self.file),
                     found=f"a wheel centre {half:g} from the middle of the car",
                     allowed="--unit mm, m, inch or cm",
-                    hint=Phrase("It may be in {meant}.", meant=" or ".join(meant)) if meant else "",
+                    hint=Phrase("The table may be in {meant}.", meant=" or ".join(meant))
+                    if meant
+                    else "",
                 )
             chosen = meant[0]
             self.note("parts.import_unit_guessed", unit=chosen, half=half)
         factor = conversion_factor(chosen, "m", where="unit")
         if not low <= half * factor <= high:
             raise DescriptionError(
-                "an implausible half track",
+                "an implausible half track width",
                 where=str(self.file),
                 found=f"a wheel centre {half:g} {chosen} = {half * factor:.4g} m from the middle of the car",
                 allowed=Phrase("{low:g} m to {high:g} m", low=low, high=high),
-                hint=Phrase(
-                    "Is the table in {meant}? Say so with --unit.", meant=" or ".join(meant)
-                )
+                hint=Phrase("Is the table in {meant}? Then state --unit.", meant=" or ".join(meant))
                 if meant
                 else "",
             )
@@ -912,10 +912,10 @@ def _rotation(axes: str) -> Array:
         or {match[2] for match in matches if match} != {"x", "y", "z"}
     ):
         raise DescriptionError(
-            "not three axes",
+            "three axes are required",
             where="axes",
             found=axes,
-            allowed='our x, y and z in those of the table: "-x,-y,z"',
+            allowed='x, y and z of jounce by the axes of the table, such as "-x,-y,z"',
         )
     turn = np.zeros((3, 3))
     for row, match in enumerate(matches):

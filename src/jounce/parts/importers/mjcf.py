@@ -133,7 +133,7 @@ def import_mjcf(
     >>> _ = file.write_text("<mujoco><worldbody><body><joint type='hinge'/></body></worldbody></mujoco>")
     >>> import_mjcf(file)   # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    jounce.core.errors.DescriptionError: ... no points are in it...
+    jounce.core.errors.DescriptionError: ... the file contains no points...
     """
     reading = _Tree(existing_file(path), dict(names or {}))
     return reading.rig(model, wheel_radius, sprung_mass, source)
@@ -187,7 +187,7 @@ class _Tree:
         self.bodies = {"world": _Body("world", "", np.zeros(3), np.eye(3))}
         worlds = self.root.findall("worldbody")
         if not worlds:
-            raise self._refusal("no MJCF", None, "an element worldbody")
+            raise self._refusal("not an MJCF file", None, "an element worldbody")
         for world in worlds:
             self._walk(world, "world", "", 0)
 
@@ -308,9 +308,7 @@ class _Tree:
         except ValueError:
             numbers = np.full(0, np.nan)
         if len(numbers) != count or not np.all(np.isfinite(numbers)):
-            raise self._refusal(
-                "not the numbers that belong here", text[:80], f"{count} numbers", where
-            )
+            raise self._refusal("unexpected numbers", text[:80], f"{count} numbers", where)
         return numbers
 
     def _several(self, given: Mapping[str, str], key: str, where: str) -> list[float]:
@@ -518,7 +516,7 @@ class _Tree:
         table = self.table()
         if not table.rows:
             raise self._refusal(
-                "no points are in it",
+                "the file contains no points",
                 None,
                 "sites named like hardpoints, or two arms with an upright",
             )
@@ -689,11 +687,11 @@ def _parse(file: Path) -> ET.Element:
         ) from None
     if root.tag != "mujoco":
         raise DescriptionError(
-            "no MJCF", where=str(file), found=f"<{root.tag}>", allowed="<mujoco>"
+            "not an MJCF file", where=str(file), found=f"<{root.tag}>", allowed="<mujoco>"
         )
     if next(root.iter("include"), None) is not None:
         raise DescriptionError(
-            "it includes other files",
+            "the file includes other files",
             where=str(file),
             allowed="one file",
             hint="Save the whole model with MuJoCo first.",

@@ -153,7 +153,7 @@ def from_nested(file: Path, text: str) -> PointTable | None:
         raise DescriptionError(
             Phrase("{error} is given twice", error=str(error)),
             where=str(file),
-            allowed="every point once",
+            allowed="each point once",
         ) from None
     if keys is None or is_nested_deeply(keys):
         return None
@@ -229,7 +229,7 @@ def _add_wheel(table: PointTable, keys: dict[str, Any], outer: PointRow) -> None
     along = outer.place - inner.place
     if not np.any(along):
         raise DescriptionError(
-            "the axle's two points are the same", where=outer.where, found=outer.place.tolist()
+            "the two points of the axle coincide", where=outer.where, found=outer.place.tolist()
         )
     along = along / np.linalg.norm(along)
     offset, *sizes = (_read_size(table.file, keys, word) for word in ("offset", *_SIZES))
@@ -283,7 +283,7 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
         where = f"{table.file}: {axle}: {key}"
         if text is None and default is None:
             raise DescriptionError(
-                "the number is missing", where=where, allowed="a double wishbone of VSUSP"
+                "the number is missing", where=where, allowed="a double wishbone from VSUSP"
             )
         if text is not None and not _is_number(text):
             raise DescriptionError("not a number", where=where, found=text)
@@ -341,7 +341,7 @@ def _add_front_view(table: PointTable, axle: str, block: dict[str, str]) -> None
     if not len(crossing):
         raise DescriptionError(
             "the arms and the knuckle do not meet with the tyre on the road", where=f"{table.file}: {axle}",
-            allowed="a double wishbone of VSUSP",
+            allowed="a double wishbone from VSUSP",
         )  # fmt: skip
     solution = pose(brentq(height, angles[crossing[0]], angles[crossing[0] + 1], xtol=1e-14))
     assert solution is not None

@@ -72,7 +72,7 @@ class Block:
             raise DescriptionError("no curve", where=self.where, allowed="rows of two numbers")
         columns = np.array(rows) * [length, force]
         if np.any(np.diff(columns[:, 0]) <= 0.0):
-            raise DescriptionError("the first column does not rise", where=self.where)
+            raise DescriptionError("the first column does not increase", where=self.where)
         return columns[:, 0], columns[:, 1]
 
 
@@ -124,7 +124,7 @@ class TeimOrbit:
                 return conversion_factor(unit, SI[quantity])
         allowed = ", ".join(word for words in UNITS[quantity] for word in words.split())
         raise DescriptionError(
-            Phrase("no unit of {quantity}", quantity=quantity),
+            Phrase("no unit for {quantity}", quantity=quantity),
             where=block.where,
             found=text or None,
             allowed=allowed,
@@ -140,9 +140,7 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
         )
     content = content_of(file)
     if b"\0" in content:
-        raise DescriptionError(
-            "not a text file", where=str(file), allowed="a file of Adams, as text"
-        )
+        raise DescriptionError("not a text file", where=str(file), allowed="an Adams text file")
     blocks: list[Block] = []
     for count, line in enumerate(content.decode("cp1252", errors="replace").splitlines(), 1):
         bare, where = line.strip(), at_line(file, count)
@@ -166,6 +164,6 @@ def read_teim_orbit(path: Path | str) -> TeimOrbit:
             blocks[-1].rows.append(([(a or b).strip() for a, b in _CELL.findall(bare)], where))
     if not blocks:
         raise DescriptionError(
-            "no [BLOCKS] are in it", where=str(file), allowed="a file of Adams, as text"
+            "the file contains no [BLOCKS]", where=str(file), allowed="an Adams text file"
         )
     return TeimOrbit(file, blocks)

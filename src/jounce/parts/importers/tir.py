@@ -105,7 +105,7 @@ class TyreProperties(Shown):
             return 1.0
         if not (math.isfinite(wanted) and wanted > 0.0):
             raise DescriptionError(
-                "not an inflation pressure", found=f"{wanted} Pa", allowed="above 0 Pa"
+                "invalid inflation pressure", found=f"{wanted} Pa", allowed="above 0 Pa"
             )
         nominal = self.nominal_pressure
         if nominal is None or self.pressure_slope == 0.0:
@@ -114,7 +114,7 @@ class TyreProperties(Shown):
             ):
                 return 1.0
             raise DescriptionError(
-                "the file does not say how the stiffness depends on the pressure",
+                "the file does not state how the stiffness depends on the pressure",
                 where=self.name,
                 found=f"{pressure:g} Pa",
                 allowed="files with PFZ1 and a nominal pressure"
@@ -384,7 +384,7 @@ class _Entries:
                 "the section [UNITS] is missing",
                 where=str(file),
                 allowed="[UNITS] with LENGTH, FORCE and TIME",
-                hint="Without it N/mm and N/m cannot be told apart.",
+                hint="Without it, N/mm and N/m cannot be distinguished.",
             )
 
     def _keep(self, key: tuple[str, str], text: str, line: int) -> None:
@@ -405,14 +405,14 @@ class _Entries:
         entry = self.values.get(("UNITS", quantity))
         if entry is None:
             raise DescriptionError(
-                Phrase("the unit of {quantity} is missing", quantity=quantity),
+                Phrase("the unit for {quantity} is missing", quantity=quantity),
                 where=f"{self.file}: [UNITS]",
             )
         known = {word: unit for words, unit in UNITS[quantity].items() for word in words.split()}
         unit = known.get(entry[0].lower())
         if unit is None:
             raise DescriptionError(
-                Phrase("unknown unit of {quantity}", quantity=quantity),
+                Phrase("unknown unit for {quantity}", quantity=quantity),
                 where=at_line(self.file, entry[1]),
                 found=entry[0],
                 allowed=", ".join(words.split()[0] for words in UNITS[quantity]),
@@ -464,7 +464,7 @@ class _Entries:
                 is_si = self.unit("LENGTH") == 1.0 and self.unit("FORCE") == 1.0
                 if not declared and not is_si:
                     raise DescriptionError(
-                        "the unit of PRESSURE is missing", where=f"{self.file}: [UNITS]"
+                        "the unit for PRESSURE is missing", where=f"{self.file}: [UNITS]"
                     )
                 return (
                     self.number(
@@ -482,13 +482,15 @@ class _Entries:
         for cells, line in self.rows.get(section, []):
             where = below(at_line(self.file, line), f"[{section}]")
             if len(cells) != 2:
-                raise DescriptionError("not a pair of numbers", where=where, found=" ".join(cells))
+                raise DescriptionError(
+                    "a pair of numbers is required", where=where, found=" ".join(cells)
+                )
             pairs.append((_number(cells[0], where) * length, _number(cells[1], where) * force))
             if len(pairs) > 1 and not (
                 pairs[-1][0] > pairs[-2][0] and pairs[-1][1] >= pairs[-2][1]
             ):
                 raise DescriptionError(
-                    "the curve does not ascend", where=where, found=" ".join(cells)
+                    "the curve does not increase", where=where, found=" ".join(cells)
                 )
         if len(pairs) == 1:
             raise DescriptionError(

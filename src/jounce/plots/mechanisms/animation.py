@@ -101,11 +101,11 @@ def _roadway(trial: Trial | None, poses: Poses, shown: Poses, scene: Scene) -> R
     if trial is None:
         return None
     if not poses.in_time:
-        raise DescriptionError("a sweep is not driven; leave out the trial", where="trial")
+        raise DescriptionError("a kinematic sweep has no trial; leave it out", where="trial")
     expected = trial.segments().evaluate(np.minimum(poses.over, trial.duration))[0]
     if np.mean(np.abs(expected - poses.ground) > _SAME_HEIGHT) > _AT_JUMPS:
         raise DescriptionError(
-            "the poses are not of this trial; its road has different heights",
+            "the poses do not belong to this trial; its road has different heights",
             where="trial",
             hint="Give the trial that the run was simulated with.",
         )
@@ -212,7 +212,7 @@ def _write_mp4(motion: Animation, file: Path) -> None:
         message = process.stderr.read().decode(errors="replace").strip()
     if process.returncode:
         raise OutputError(
-            "ffmpeg could not write the film",
+            "ffmpeg could not write the video",
             found=message[-300:],
             hint="Write .gif or .html instead.",
         )
@@ -227,8 +227,10 @@ def ffmpeg() -> str:
         except (ImportError, RuntimeError):
             raise MissingPackageError(
                 "MP4 is written by ffmpeg, which was not found",
-                hint="Install it (apt-get install ffmpeg, brew install ffmpeg, or pip install imageio-ffmpeg), or "
-                "write .gif or .html, which need no other program.",
+                hint=(
+                    "Install ffmpeg (apt-get install ffmpeg, brew install ffmpeg, or pip install "
+                    "imageio-ffmpeg), or write .gif or .html, which need no other program."
+                ),
             ) from None
     return program
 
@@ -245,7 +247,7 @@ def _frames(motion: Animation) -> Iterator[Pictures.Image]:
         for k in motion.order:
             if k not in drawn:
                 motion.say(
-                    progress_through("drawing picture {which} of {count}", k + 1, len(motion.poses))
+                    progress_through("drawing frame {which} of {count}", k + 1, len(motion.poses))
                 )
                 film.show(k)
                 canvas.draw()  # type: ignore[no-untyped-call]

@@ -347,7 +347,7 @@ def write_load_cases(
     files = {name: re.sub(r"[^\w.]+", "-", name).strip("-.") + ".png" for name in names}
     if len(set(files.values())) < len(names):
         raise DescriptionError(
-            "two cases would have the same file", where="cases", found=", ".join(names)
+            "two cases would be written to the same file", where="cases", found=", ".join(names)
         )
     contents: dict[str, bytes | str] = {
         file: render_figure(load_case(rig, loads, name), [".png"])[".png"]

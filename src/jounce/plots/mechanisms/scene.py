@@ -367,7 +367,7 @@ class Poses:
             show = self.display
             ends = [f"{number(end * show.factor)} {show.name}" for end in (low, high)]
             raise DescriptionError(
-                Phrase("there is no pose at this {words}", words=self.words),
+                Phrase("no pose at this {words}", words=self.words),
                 where=where,
                 found=f"{number(value * show.factor)} {show.name}",
                 allowed=" to ".join(ends),
@@ -446,7 +446,7 @@ def _dimension(data: xr.Dataset) -> str:
             "poses over one dimension are needed",
             where="poses",
             found=" x ".join(map(str, dimensions)),
-            hint="Choose one value of the others, e.g. poses.isel(rack_travel=0).",
+            hint="Choose one value of the other dimensions, e.g. poses.isel(rack_travel=0).",
         )
     return str(dimensions[0])
 
@@ -470,7 +470,7 @@ def _tracks(
             missing.append(name)
     if missing:
         raise RecordingError(
-            "the poses do not include these hardpoints; are they of a different rig?",
+            "the poses do not include these hardpoints; do they belong to a different rig?",
             where="poses",
             found=", ".join(missing),
         )
@@ -530,7 +530,7 @@ def roadway_of(trial: Trial, time: Array, radius: float) -> Roadway | None:
         return None
     if time[-1] > trial.duration * (1.0 + 1e-9):
         raise DescriptionError(
-            "the poses are not of this trial; they continue after its end",
+            "the poses do not belong to this trial; they continue after its end",
             where="trial",
             found=f"{time[-1]:g} s",
             allowed=Phrase("up to {duration:g} s", duration=trial.duration),
