@@ -573,7 +573,7 @@ def symbols(count):
         (lambda t: t.m.track(""), "invalid name; found ''"),
         (lambda t: t.m.switch("up", "q"), "switch up: not a number with a unit"),
         (lambda t: t.m.set_internal_rate("z", t.q), "unknown internal state 'z'"),
-        (lambda t: t.m.output("out", t.b.point(Y).value, "m", "-"), "output out: a single expression is required; found '3 exp"),
+        (lambda t: t.m.output("out", t.b.point(Y).value, "m", "-"), "out: a single expression is required; found"),
         (lambda t: t.m.output("out", "q", "m", "-"), "output out: not a number with a unit"),
         (lambda t: t.m.watch_reaction("pivot", frame=t.b), "invalid name; found 'Body'"),
         (lambda t: t.m.watch_reaction("pivot", on=t.s), "reaction of pivot: invalid name; found 'Body'"),
