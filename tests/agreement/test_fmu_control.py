@@ -266,7 +266,7 @@ def test_a_tyre_of_another_radius_is_told(stiff_and_soft, element) -> None:
     numbers = {"stiffness": rig.tyre.stiffness, "preload": 2e3}
     found = element(rig, "tyre", numbers=numbers, rate=2000.0).attrs["findings"]
     assert any(
-        "off the road, where the wheel feels none: compare the radii" in finding
+        "off the road, where the force has no effect on the wheel: compare the radii" in finding
         for finding in found
     )
 

@@ -213,7 +213,7 @@ def test_testers_that_contradict_themselves(cli, tester_file: Path) -> None:
     notes = "\n".join(outcome.json["files"][0]["notes"])
     for said in (
         "Did you mean 'left.plate.force'?",
-        "5 Hz/s is more than",
+        "5 Hz/s exceeds",
         "from 25 to 7 Hz",
         "Did you mean 'plate_mass'?",
     ):
@@ -311,12 +311,12 @@ def test_settings_of_a_laboratory(cli, laboratory: Path) -> None:
         (
             '"100 mV/g"',
             '"100 mV"',
-            "laboratory.toml, line 7: channels.ch0.sensitivity: not a sensitivity",
+            "laboratory.toml, line 7: channels.ch0.sensitivity: a sensitivity with its units is required",
         ),
         (
             '"sprung.az"',
             '"body.q"',
-            "laboratory.toml, line 7: channels.ch0.measures: 'body.q' names no known",
+            "laboratory.toml, line 7: channels.ch0.measures: 'body.q' does not name a known",
         ),
         ('"10 mm"', '"10 N"', "laboratory.toml, line 4: obstacle.height: wrong unit"),
         ('sprung_mass = "16 kg"', "", "laboratory.toml: sprung_mass and unsprung_mass are missing"),

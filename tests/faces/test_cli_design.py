@@ -68,8 +68,8 @@ def test_optimise(cli):
     text = words_of("best.html")
     assert "Best design on" in text
     assert "holds the design" in text  # the limit that is active
-    assert "the start breaks a limit" in text  # 11.3 mm
-    assert "nothing better" not in text
+    assert "the start violates a limit" in text  # 11.3 mm
+    assert "no design better" not in text
     assert "Numbers of the design" in text
     assert "# audi-a6-quarter-car, best for sprung.az, tyre.force" in Path("best.toml").read_text(
         encoding="utf-8"
@@ -184,7 +184,7 @@ def test_pareto(cli):
                 "--band",
                 "3",
             ),
-            "not a band",
+            "invalid band",
         ),
         (
             (

@@ -202,7 +202,7 @@ def test_nothing_is_overwritten(cli, study, tmp_path: Path) -> None:
         ),
         (
             SEVERAL + FREE.replace('"hard', '"front.hard') + CURVE,
-            ["target[0].rig", "rig of the target", "front"],
+            ["target[0].rig", "does not name its rig", "front"],
         ),
         (
             SEVERAL

@@ -472,7 +472,7 @@ def test_torque_over_angle_on_the_command_line(
     rig = cli(*asked, "--rig", "kart-quarter-car", "--out", "rig.toml")
     assert (rig.exit_code, "this one is in N/m" in rig.err) == (2, True)
     mapped = cli("fit", "stiffness", twists[0], "--columns", "angle=angle [rad]")
-    assert (mapped.exit_code, "another unit" in mapped.err) == (2, True)
+    assert (mapped.exit_code, "a different unit" in mapped.err) == (2, True)
 
 
 CALIBRATION = "displacement [mm],ch3 [V]\n0,0.401\n10,1.402\n20,2.399\n40,4.401\n"

@@ -277,7 +277,7 @@ def test_a_record_that_cannot_be_read_is_kept_too(cli, content: str, message: st
         (("--report", "a.pdf", "--report", "a.pdf"), "given twice"),
         (("--language", "fr"), "unknown language 'fr'"),
         (("--store", "none/lane.sqlite"), "the folder of the store does not exist"),
-        (("--vehicle", "no-such-car"), "no shipped rig of that name"),
+        (("--vehicle", "no-such-car"), "no rig of that name"),
         (("front.csv",), "two records of the same axle"),
         (("a.csv", "b.csv"), "too many records"),
         (("missing.csv",), "missing.csv: no such file"),

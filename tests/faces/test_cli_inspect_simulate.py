@@ -125,7 +125,7 @@ def test_people_read_values_and_the_verdict(cli, car) -> None:
     [
         (("car.toml",), "no method is given"),
         (("car.toml", "--method", "eusamma"), "Did you mean 'eusama'"),
-        (("car.toml", "--tester", "egea"), "no shipped tester"),
+        (("car.toml", "--tester", "egea"), "no tester of that name"),
         (("car.toml", "--method", "egea", "--stroke=-6 mm"), "above 0"),
         (("car.toml", "--method", "egea", "--stroke", "6 kg"), "wrong unit"),
         (("car.toml", "--method", "egea", "--stroke", "6 mm", "--wheel", "middle"), "left, right"),

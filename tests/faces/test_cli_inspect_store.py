@@ -258,7 +258,7 @@ def test_history_search_export(cli, lane) -> None:
         (("search", "--verdict", "passed"), "Did you mean 'pass'?"),
         (("search", "--since", "1.1.2026"), "--since: not a date"),
         (("export", "--out", "lane.xls"), "tables are not written in this format"),
-        (("export", "--out", "nowhere/lane.csv"), "folder of the output does not exist"),
+        (("export", "--out", "nowhere/lane.csv"), "output folder does not exist"),
         (("import", "none.csv"), "none.csv: no such file"),
         (("import", "lane/a.csv", "--tester", "eusamma"), "Did you mean 'eusama'?"),
         (("watch", "nowhere"), "no such folder"),

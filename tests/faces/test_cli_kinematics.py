@@ -141,9 +141,9 @@ def test_travel_beyond_reach_keeps_the_rest(cli, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (("--travel", "80 mm:-80 mm:4 mm"), "leads away from the last value"),
+        (("--travel", "80 mm:-80 mm:4 mm"), "does not lead from the first to the last value"),
         (("--travel", "10 mm:10 mm:4 mm"), "range is empty"),
-        (("--travel", "-80 mm:80 mm:-4 mm"), "leads away from the last value"),
+        (("--travel", "-80 mm:80 mm:-4 mm"), "does not lead from the first to the last value"),
         (("--travel", "-80 mm:80 mm:0 mm"), "invalid step"),
         (("--travel", "-80 mm:80 mm"), "invalid range"),
         (("--travel", "-80 mm:80 mm:1 nm"), "too many"),
@@ -262,10 +262,10 @@ def test_poses_of_a_log_are_swept_one_by_one(cli, tmp_path) -> None:
     axle = cli("kinematics", "formula-student-front", "--poses", str(log), "--json")
     assert axle.json["roll_angle"]["values"] == pytest.approx([0.0, np.radians(1.0)])
     for text, message in (
-        ("speed [m/s]\n1\n", "no poses of a wheel"),
+        ("speed [m/s]\n1\n", "the poses are neither those of a wheel"),
         ("travel [deg]\n1\n", "travel"),
         ("travel\n1\n", "no unit"),
-        ("travel [mm], roll [deg]\n1, 1\n", "no poses of a wheel"),
+        ("travel [mm], roll [deg]\n1, 1\n", "the poses are neither those of a wheel"),
         ("travel [m]\n20\n", "Millimetres meant"),
     ):
         log.write_text(text, encoding="utf-8")

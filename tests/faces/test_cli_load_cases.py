@@ -69,7 +69,7 @@ def test_usual_cases_are_shown_and_what_the_spring_cannot_carry_is_told(cli) -> 
         "static",
         "cornering 1 g",
         "Magnitudes of forces at hardpoints",
-        "cannot carry it within 100 mm",
+        "cannot carry the load within 100 mm",
     ):
         assert text in outcome.out
 

@@ -133,7 +133,7 @@ def test_run_that_never_meets_the_obstacle_is_said(cli, bump: Path) -> None:
         (("--set", "sprung.mass"), "--set: not NAME=VALUE"),
         (("--set", "sprung.mass=1", "--set", "sprung.mass=2"), "given twice"),
         (("--road", "missing.toml"), "missing.toml: no such file. Check"),
-        (("--road", "missing"), "no shipped road of that name"),
+        (("--road", "missing"), "no road of that name"),
         (("--road", "detrended_rms_course"), "Did you mean 'detrended_rms_course_1in'?"),
         (("--out", "run.ods"), "allowed: .nc, .csv"),
         (("--out", "nowhere/run.nc"), "the output folder does not exist"),

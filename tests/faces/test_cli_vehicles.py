@@ -166,7 +166,7 @@ def test_roads_that_end_or_are_coarse_are_told(cli, tmp_path: Path) -> None:
     )
     table_file(tmp_path, 0.05, 99)  # ends as high as it begins
     (finding,) = cli(*words).json["findings"]
-    assert "the road ends after 4.9 m and the run drives 20 m" in finding["message"]
+    assert "the road ends after 4.9 m, but the run covers 20 m" in finding["message"]
     table_file(tmp_path, 0.05, 100)
     outcome = cli(*words)
     assert outcome.exit_code == 2

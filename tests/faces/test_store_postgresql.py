@@ -334,7 +334,7 @@ def test_the_whole_lane(cli, database, records, tmp_path: Path) -> None:
         ((WRITTEN, "wr0ng-one"), "password authentication failed"),
         (("@/lane", "@/nolane"), "does not exist"),
         (("postgresql+psycopg", "postgresql+nodriver"), "unknown kind of database"),
-        (("@/", "@host:port/"), "the address cannot be read"),
+        (("@/", "@host:port/"), "the database address cannot be read"),
         (("%3A", ":@"), ""),
     ],
 )

@@ -639,7 +639,7 @@ def test_an_edit_in_python_is_that_of_the_page(tmp_path, monkeypatch, name):
         ([], KART + "\nx ==", "", "TOML"),
         ([], "", "", "schema"),
     ],
-    ids=["unit", "in a list", "key", "word", "no TOML", "empty"],
+    ids=["unit", "a list of", "key", "word", "no TOML", "empty"],
 )
 def test_errors_of_a_form_say_at_which_value(ask, sets, text, path, told):
     status, form = ask("POST", "/api/form", {"path": "form.toml", "text": text, "sets": sets})

@@ -760,7 +760,7 @@ def test_results_of_sweeps_are_read_apart(workbench, monkeypatch):
     assert (status, found["finished"], len(found["variants"])) == (200, 3, 3)
     assert _asked(port, "GET", "/api/sweep?folder=..")[0] == 422
     status, found = _asked(port, "GET", "/api/sweep?folder=nowhere")
-    assert (status, "holds no sweep" in str(found)) == (409, True)
+    assert (status, "contains no sweep" in str(found)) == (409, True)
     shard = next((folder / "apart").rglob("*.nc"))
     content = b"\x89HDF\r\n\x1a\n" + b"damaged" * 100
     shard.rename(
@@ -925,7 +925,7 @@ def test_a_study_is_written_when_it_is_whole_and_its_variants_are_shown_as_runs(
         "speed": "2 m/s",
         "duration": "0.4 s",
     }
-    with pytest.raises(OutputError, match="holds no sweep"):
+    with pytest.raises(OutputError, match="contains no sweep"):
         swept(project, "nowhere")
     with pytest.raises(DescriptionError, match="invalid path"):
         swept(project, "..")

@@ -58,7 +58,7 @@ DAMAGES: dict[str, Damage] = {
     "a huge time": with_times(1e25),
     "a long header": with_header("unsprung.az", "x" * 200_000),
     "a bomb of a unit": with_header("[m/s^2]", "[m^9**9**9**9]"),
-    "another unit": with_header("[m/s^2]", "[kg]"),
+    "a different unit": with_header("[m/s^2]", "[kg]"),
     "huge values": with_values("1e300"),
     "large values": with_values("1e25"),
     "constant": with_values("0"),

@@ -89,14 +89,14 @@ def evil(monkeypatch, tmp_path):
     [
         (
             "crash",
-            r"a\.evil: reading the file ended the process that reads it \(SIGSEGV\), so the file is damaged",
+            r"a\.evil: the reading process crashed \(SIGSEGV\), so the file is damaged",
         ),
-        ("exit", r"a\.evil: the process that reads the file ended \(exit code 7\)"),
+        ("exit", r"a\.evil: the reading process ended unexpectedly \(exit code 7\)"),
         (
             "loop",
             r"a\.evil: reading does not finish, so the file is damaged; found 'more than 1 s'; allowed: ",
         ),
-        ("sleep", r"a\.evil: reading the file does not finish"),
+        ("sleep", r"a\.evil: reading does not finish"),
         ("unknown", r"a\.evil: this cannot be used.*\(KeyError: 'x'\)"),
         ("refused", r"^here: wrong; found 3; allowed: less\. Try\.$"),
     ],

@@ -152,7 +152,7 @@ def test_a_child_that_is_ended_from_outside_says_nothing_of_the_file(fresh, tmp_
         isolated, "_CHILD", isolated._CHILD.replace("serve(READERS)", f"{begin}serve(READERS)")
     )
     with pytest.raises(
-        ResourceError, match=f"was ended from outside; found '{signal.SIGKILL.name}'"
+        ResourceError, match=f"was terminated externally; found '{signal.SIGKILL.name}'"
     ):
         jn.read_recording(file)
 

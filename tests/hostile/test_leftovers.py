@@ -210,7 +210,7 @@ def test_a_folder_in_the_place_of_a_file_and_a_file_in_the_way_are_refused_befor
         with pytest.raises(OutputError, match="a folder with the name of the file exists"):
             writing.check_writable(tmp_path / "run.nc", force=force)
     (tmp_path / "mine.txt").write_text("mine")
-    with pytest.raises(OutputError, match=r"below a file; found '.*mine\.txt'"):
+    with pytest.raises(OutputError, match=r"inside a file; found '.*mine\.txt'"):
         writing.check_folder(tmp_path / "mine.txt" / "a" / "out")
     with pytest.raises(
         OutputError, match="the folder cannot be written; found 'File name too long'"

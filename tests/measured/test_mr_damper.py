@@ -52,7 +52,7 @@ def messages(result):
 @pytest.mark.parametrize("record", RECORDS)
 def test_peculiarities_of_the_records_are_found(record):
     result = fit_damper(*load(record))
-    assert "samples) behind the displacement" in messages(result)
+    assert "samples), like a backward difference" in messages(result)
     assert "in steps of 0.5 mm/s" in messages(result)
     assert "samples at rest" in messages(result)
     assert "hysteresis" in messages(result)

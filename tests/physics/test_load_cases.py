@@ -153,7 +153,8 @@ def test_both_axles_never_carry_more_than_the_car_weighs(longitudinal, lifted) -
         found = jn.load_cases(rig, car, case)
         total += float(found["vertical_force"].sum())
         assert (
-            f"tips: the car would tip over: its {lifted} axle carries -" in found.attrs["findings"]
+            f"tips: the car would tip over: the load on its {lifted} axle carries -"
+            in found.attrs["findings"]
         )
     assert total == pytest.approx(280.0 * 9.81, rel=2e-3)
 
@@ -167,7 +168,7 @@ def test_a_table_has_a_row_for_each_case_and_wheel(found) -> None:
 
 
 def test_what_the_spring_cannot_carry_is_told(found) -> None:
-    assert "bump 3 g, left wheel: spring and stops cannot carry it" in found.attrs["findings"]
+    assert "bump 3 g, left wheel: spring and stops cannot carry the load" in found.attrs["findings"]
     assert "static" not in found.attrs["findings"]
     with pytest.raises(jn.DescriptionError, match="no load case"):
         jn.load_cases(jn.load("formula-student-front"), FRONT, {})

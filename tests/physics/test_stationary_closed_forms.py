@@ -194,7 +194,7 @@ def test_invariant_sum_of_any_half_car(damper, inertia):
         assert pitch == pytest.approx(arm * 2.0 * 200e3 / inertia, rel=1e-9)
 
 
-@pytest.mark.parametrize("kind", ["table", "tanh", "one line"])
+@pytest.mark.parametrize("kind", ["table", "tanh", "collinear"])
 def test_dampers_whose_curve_bends_are_told_with_the_coefficient_they_damp_as(kind):
     """For a Gaussian velocity it is the mean slope (Stein): slopes times probabilities, told where that at rest is not.
 
@@ -209,11 +209,11 @@ def test_dampers_whose_curve_bends_are_told_with_the_coefficient_they_damp_as(ki
     laws = {
         "table": table,
         "tanh": {"kind": "tanh", "coefficient": 500.0, "force": 300.0, "slope": 20.0},
-        "one line": {"velocity": [-1.0, 0.0, 0.4], "force": [-1500.0, 0.0, 600.0]},
+        "collinear": {"velocity": [-1.0, 0.0, 0.4], "force": [-1500.0, 0.0, 600.0]},
     }
     found = stationary(car().with_changes({"strut.damper": laws[kind]}), "C", SPEED)
     told = [one.value for one in found.findings if one.place == "strut.damper"]
-    if kind == "one line":
+    if kind == "collinear":
         assert not told
         return
     velocity = norm(scale=found.standard_deviation["strut.velocity"])

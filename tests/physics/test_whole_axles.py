@@ -121,7 +121,7 @@ def test_an_axle_of_a_corner_and_its_mirror_is_that_of_one_file(rig) -> None:
         ({"left_travel": 20.0}, "Millimetres meant"),
         ({"roll": 2.0}, "too steep"),
         ({"handwheel": "30 deg"}, "the rack has no handwheel"),
-        ({"rack": 0.0, "handwheel": 0.0}, "Give one"),
+        ({"rack": 0.0, "handwheel": 0.0}, "Give only one"),
     ],
 )
 def test_bad_poses_of_an_axle(rig, given, message: str) -> None:
@@ -219,8 +219,8 @@ def test_two_equal_joints_in_phase_turn_evenly() -> None:
     ("table", "message"),
     [
         ({"rack_ratio": 0.0}, "does not move"),
-        ({"column": COLUMN}, "moves no rack"),
-        ({"rack_ratio": 0.01, "column": {**COLUMN, "pinion": [0.1, 0.22, 0.45]}}, "the same point"),
+        ({"column": COLUMN}, "without a rack"),
+        ({"rack_ratio": 0.01, "column": {**COLUMN, "pinion": [0.1, 0.22, 0.45]}}, "coincides"),
         (
             {"rack_ratio": 0.01, "column": {**COLUMN, "pinion": [-0.5, 0.22, 0.45]}},
             "bends the column",

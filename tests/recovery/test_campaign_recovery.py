@@ -157,7 +157,7 @@ def test_values_stop_at_their_bounds_and_say_so(method):
     rate = result.parameters["strut.spring.rate"]
     assert rate.at_bound
     said = [found.message for found in result.findings if found.place == "strut.spring.rate"]
-    assert any("intervals of other values hold it there" in text for text in said)
+    assert any("intervals of the other values hold it there" in text for text in said)
     assert rate.value == pytest.approx(1.03 * 22730.0, rel=1e-4)
     assert rate.standard_error is None
     assert any(

@@ -135,7 +135,10 @@ def test_one_sensor_has_one_datum_also_where_a_record_begins_in_motion(offset, d
     assert [trial.sensors["sprung.z"].datum for trial in decided] == [datum, datum]
     taken, moving = [one.message for one in findings if "datum" in one.message]
     assert f'datum "{datum}" taken from the start of one:' in taken
-    assert moving == "begins in motion in two, where the datum is that of trials that begin at rest"
+    assert (
+        moving
+        == "begins in motion in two; the datum of the trials that begin at rest applies there"
+    )
 
 
 @pytest.mark.parametrize(

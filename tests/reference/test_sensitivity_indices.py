@@ -238,7 +238,7 @@ def test_what_cannot_be_told():
         jn.sensitivity_indices(many, "z")
     with pytest.raises(DescriptionError, match="too few variants"):
         jn.sensitivity_indices(many.isel(variant=slice(0, 3)))
-    with pytest.raises(DescriptionError, match="no stored metric"):
+    with pytest.raises(DescriptionError, match="no metric of the runs was stored"):
         jn.sensitivity_indices(many.drop_vars("y"))
     with pytest.raises(DescriptionError, match="no parameter varies"):
         jn.sensitivity_indices(many.isel(variant=[0, 0, 0, 0, 0, 0]))

@@ -188,9 +188,9 @@ def finding_attributes(findings: Iterable[Finding]) -> dict[str, Any]:
 def findings_of(attributes: Mapping[str, Any]) -> list[Finding]:
     """Return the findings stored in a recording; files of older versions have texts without codes.
 
-    >>> found = findings_of({"findings": ["note: a.fmu: v: it has no unit: taken for m/s."]})
+    >>> found = findings_of({"findings": ["note: a.fmu: v: has no unit: m/s is assumed."]})
     >>> found == findings_of(finding_attributes(found)), str(found[0])
-    (True, 'note: a.fmu: v: it has no unit: taken for m/s.')
+    (True, 'note: a.fmu: v: has no unit: m/s is assumed.')
     """
     if DATA in attributes:
         return [finding_of(plain) for plain in json.loads(attributes[DATA])]

@@ -65,7 +65,7 @@ def ends(text: str) -> tuple[str | float, str | float] | None:
 
 
 def unreadable_band(text: object, where: str, words: Sequence[str]) -> DescriptionError:
-    """Return the error for a text that is invalid band of spatial frequencies."""
+    """Return the error for a text that is not a valid band of spatial frequencies."""
     allowed = ", ".join([*words, "LOW..HIGH"])
     return DescriptionError(
         "invalid band of spatial frequencies", where=where, found=text, allowed=allowed

@@ -37,7 +37,7 @@ def remark(
     --------
     >>> found = remark("left.tyre", "warning", "load_off", 1.03, load=4e3, measured=4120.5, percent=3.01)
     >>> found.message
-    'the header gives 4000 N, but the plate carries 4120 N on average: +3.0 %, where 2 % is allowed.'
+    'the header gives 4000 N, but the plate carries 4120 N on average: +3.0 %, but only 2 % is allowed.'
     >>> sentence_of(found, "de")
     'Der Kopf nennt 4000 N, die Platte trägt im Mittel 4120 N: +3,0 %, zulässig sind 2 %.'
     """

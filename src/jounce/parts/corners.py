@@ -611,7 +611,7 @@ class Corner(Rig):
         if points.arb_axis is None:
             raise error_at(
                 ("hardpoints", "arb_axis"),
-                "is is missing; the stem of a T-bar runs from arb_pivot to it",
+                "is missing; the stem of a T-bar runs from arb_pivot to it",
             )
         for name in ("arb_pivot", "arb_axis"):
             if abs(getattr(points, name)[1]) >= SAME_POINT:

@@ -45,7 +45,7 @@ def rows_on_disk(dataset: Any) -> tuple[int, int]:
     )
     if count < whole:
         raise RecordingError(
-            "some some parts of the record were never written",
+            "some parts of the record were never written",
             where=f"{dataset.file.filename}: {dataset.name.lstrip('/')}",
             found=f"{count} of {expected} pieces",
         )

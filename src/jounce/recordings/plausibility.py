@@ -122,7 +122,7 @@ def implausible(
     >>> import numpy as np
     >>> wave = np.sin(2.0 * np.pi * 1.5 * np.arange(1000) * 0.001)
     >>> [finding.message for finding in implausible({"stroke": 12.45 * wave}, 0.001, where="a.csv")]
-    ['the range is 24.9 m, and no suspension reaches 1.5 m; is its unit mm or cm rather than m?']
+    ['the range is 24.9 m, but no suspension exceeds 1.5 m; is its unit mm or cm rather than m?']
     """
     units = {name: (written or {}).get(name) or channel_unit(name) for name in channels}
     length = max((values.size for values in channels.values()), default=0)

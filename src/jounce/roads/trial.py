@@ -654,7 +654,7 @@ def trial_findings(
     >>> from jounce.roads import Table
     >>> short = Table(x=[0.0, 0.01, 0.02], height=["0 mm", "2 mm", "0 mm"])
     >>> [found.message for found in trial_findings(Trial(road=short, speed="1 m/s", duration="5 s"))]
-    ['the road ends after 0.02 m and the run drives 5 m; the remainder is level. Shorten the run.']
+    ['the road ends after 0.02 m, but the run covers 5 m; the remainder is level. Shorten the run.']
     """
     behind = rig.wheelbase if isinstance(rig, Vehicle) else 0.0
     result = [

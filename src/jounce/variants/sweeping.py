@@ -65,7 +65,7 @@ def sweep_study(
             allowed=allowed,
         )
     if cluster is not None and workers is not None:
-        allowed = "only only one of them: a cluster has its own workers"
+        allowed = "only one of them: a cluster has its own workers"
         raise DescriptionError(
             "workers and a cluster are both given", where="--workers, --cluster", allowed=allowed
         )

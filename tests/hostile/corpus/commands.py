@@ -109,7 +109,7 @@ belt = {length = "1.97 m"}
 VALUES = {
     "nothing": "",
     "a word": "nonsense",
-    "another unit": "5 furlong*kg",
+    "a different unit": "5 furlong*kg",
     "beyond numbers": "1e400 m",
     "no number": "nan",
     "infinite": "-inf",

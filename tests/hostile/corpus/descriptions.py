@@ -210,7 +210,7 @@ NO_QUANTITY = (
     "markup",
 )
 """What no quantity is."""
-WHOLE = ("line twice", "misspelt", "left out", "file cut", "bytes", "another schema")
+WHOLE = ("line twice", "misspelt", "left out", "file cut", "bytes", "a different schema")
 """Mutations of the file rather than of a value."""
 _LINE = re.compile(r"(\s*(?:[\w-]+|\"[^\"]*\")(?:\.[\w-]+)*\s*=\s*)([^\s].*)$")
 

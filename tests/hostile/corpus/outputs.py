@@ -60,7 +60,7 @@ REFUSED = (
     "there already",
     "a folder or file there",
     "no folder",
-    "below a file",
+    "inside a file",
     "a name of 300 bytes",
 )
 """Places that are refused before anything is computed."""
@@ -201,7 +201,7 @@ def _at(place: str, suffix: str) -> str:
     """Name of the output in a place."""
     names = {
         "no folder": f"no/such/x{suffix}",
-        "below a file": f"base.csv/x{suffix}",
+        "inside a file": f"base.csv/x{suffix}",
         "a name of 300 bytes": "x" * (300 - len(suffix)) + suffix,
         "a name of 255 bytes": "ä" * ((255 - len(suffix)) // 2)
         + "x" * ((255 - len(suffix)) % 2)

@@ -285,7 +285,8 @@ def try_writer(
                 wrong += [f"success told, but not whole: {bad}"] if bad else []
             repeated = disk.run(again, armed=False)
             there = any(
-                text in disk.text() for text in ("output exists", "file exists", "not empty")
+                text in disk.text()
+                for text in ("output already exists", "file exists", "not empty")
             )  # whole already
             if repeated.code != good and not (not _differing(after, found, varied) and there):
                 wrong.append(f"again: {repeated.code} {disk.text().strip()[:200]}")

@@ -184,8 +184,8 @@ def test_arrays_are_given_in_lists(described) -> None:
         ({"inputs": {"count": "strut.velocity"}}, "a structural parameter"),
         ({"output": "y"}, "no number|an element"),
         ({"output": "y[3]"}, "no such element"),
-        ({"output": None}, "several outputs"),
-        ({"counts": {"u[1]": 1.0}}, r"counts are for connected.*allowed: none"),
+        ({"output": None}, "no output or several"),
+        ({"counts": {"u[1]": 1.0}}, r"counts apply only to connected.*allowed: none"),
         ({"inputs": {"i[1]": "strut.velocity"}, "counts": {"i[1]": "1 mm"}}, "counts: i"),
         (
             {"inputs": {"i[1]": "strut.velocity"}, "counts": {"i[1]": 0.0}},

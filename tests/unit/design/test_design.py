@@ -163,7 +163,7 @@ def test_best_dampers_of_a_vehicle_are_better_than_the_formula():
     for best in (comfort, holding):
         assert set(best.searched) == {"front.damping_coefficient", "rear.damping_coefficient"}
         assert 0.98 < best.values["searched"] / best.values["closed_form"] < 1.0 - 1e-6
-    with pytest.raises(DescriptionError, match="best dampers need a wheel"):
+    with pytest.raises(DescriptionError, match="the best damping needs a wheel"):
         best_dampers(jn.load("audi-a6-half-car"), "C", 20.0)
 
 

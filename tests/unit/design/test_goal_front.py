@@ -89,7 +89,7 @@ def test_mixtures_are_spread_evenly_and_sum_up():
         (
             "points = 4",
             'points = 4\nshown = "rough: unsprung.az"',
-            "additional metric of a front of two",
+            "applies only to fronts of two metrics",
         ),
         ('"rough: tyre.force"', '"rough: tyre.forze"', "tyre.force"),
     ],

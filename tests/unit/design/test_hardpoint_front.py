@@ -80,7 +80,7 @@ def test_one_design_that_is_best_in_all_is_said() -> None:
     front = jn.kinematic_front(FRONT, free, targets, points=4, starts=1)
     assert len(front.designs) == 1
     assert front.designs[0].met
-    assert "nothing to trade" in str(front.findings[0])
+    assert "no trade-off" in str(front.findings[0])
 
 
 @pytest.mark.parametrize(

@@ -194,7 +194,7 @@ def test_few_swings_still_give_covering_intervals_and_a_warning(c, friction):
     assert result.damping_coefficient.has(c)
     assert result.coulomb_force.has(friction)
     assert result.cycles <= 1.5
-    assert ("hardly be told apart" in messages(result)) == (result.cycles < 1.5)
+    assert ("hardly be distinguished" in messages(result)) == (result.cycles < 1.5)
 
 
 def test_given_stiffness_is_compared():
@@ -653,7 +653,7 @@ def test_a_beat_is_no_second_hit():
     time, signal = _record("beat", "8 % apart, 0.98, z")
     result = fit_decay(time, signal, mass=foreign_records.MASS)
     told = " ".join(one.message for one in result.findings)
-    assert "second hit" not in told
+    assert "second impact" not in told
     assert "explains only" in told
 
 
@@ -676,9 +676,9 @@ def _told_of(group, name, quantity="displacement", factor=1e-3):
 
 
 def test_a_small_second_hit_is_told_by_what_it_leaves():
-    assert "the swings before 0.6" in _told_of("hit", "second at 0.6 s, 0.1 m/s, z")
-    assert "the swings before" not in _told_of("plain", "z, 200 Hz, friction 0, 1")
-    assert "the swings before" not in _told_of("firmer in one direction", "3, z")
+    assert "the oscillations before 0.6" in _told_of("hit", "second at 0.6 s, 0.1 m/s, z")
+    assert "the oscillations before" not in _told_of("plain", "z, 200 Hz, friction 0, 1")
+    assert "the oscillations before" not in _told_of("firmer in one direction", "3, z")
 
 
 def test_a_jump_of_a_velocity_is_told_where_it_is():
@@ -717,8 +717,8 @@ def test_steps_that_hide_the_friction_are_told():
     truth = DecayParameters(33.9, 0.02, 1e-4, 0.0, 0.0, 0.02)
     t = np.arange(0.0, 3.0, 2e-3)
     x = decay_response(t, truth, "displacement")
-    assert "lost in the rounding" in told_of(t, 5e-4 * np.round(x / 5e-4))
-    assert "lost in the rounding" not in told_of(t, 1e-5 * np.round(x / 1e-5))
+    assert "rounding hides the friction" in told_of(t, 5e-4 * np.round(x / 5e-4))
+    assert "rounding hides the friction" not in told_of(t, 1e-5 * np.round(x / 1e-5))
 
 
 def test_a_sensor_out_of_range_is_told_of_arrays_too():

@@ -416,7 +416,7 @@ def test_a_contradicted_bench_value_withholds_its_parameter(wrong):
     assert f"{abs(middle - 170e3) / half:.1f} times what both intervals allow" in law.why
     assert found.findings[0].place == "tyre.stiffness"
     assert (
-        "the model lacks something that this parameter compensates for" in found.findings[0].message
+        "this parameter compensates for something that the model lacks" in found.findings[0].message
     )
 
 
@@ -447,7 +447,7 @@ def test_a_doubt_that_leaves_its_prior_withholds_what_goes_with_it():
         assert law.identified == (path != "guide.friction.force")
         assert law.interval[0] <= truth[path] <= law.interval[1]
     (said,) = (finding.message for finding in found.findings if finding.place == "sprung.az gain")
-    assert said.endswith("(doubt.gain); not identified for it: guide.friction.force")
+    assert said.endswith("(doubt.gain); for this reason not identified: guide.friction.force")
     strays = {
         "height": _Stray(-9.0, np.array([0.2, 0.99])),
         "strut.angle": _Stray(5.0, np.array([0.3, 1.01])),
@@ -525,7 +525,7 @@ def test_a_prior_narrows_and_draws(wrong):
         ("15 %", {"heigth": "1 %"}, "heigth"),
         ("15 %", {"height": "-1 %"}, "height"),
         ("15 %", {"values": {"unsprung.mas": "1 %"}}, "unknown parameter"),
-        ("15 %", {"values": {"unsprung.mass": "-1 %"}}, "below zero"),
+        ("15 %", {"values": {"unsprung.mass": "-1 %"}}, "negative"),
     ],
 )
 def test_priors_and_doubts_that_cannot_be_meant_are_refused(given, doubt, message):

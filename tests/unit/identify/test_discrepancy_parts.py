@@ -100,7 +100,7 @@ def test_findings_of_a_calibration_name_what_to_do() -> None:
     ]  # fmt: skip
     assert "on the bench by 2.0 times" in found[0].message
     assert "3.2 standard deviations" in found[1].message
-    assert found[1].message.endswith("(doubt.inputs); not identified for it: b")
+    assert found[1].message.endswith("(doubt.inputs); for this reason not identified: b")
     for draws, told in (
         ((0.99, 0.0), "no parameter depends on it"),
         ((1.1, 1.1), "no parameter of this update counts"),

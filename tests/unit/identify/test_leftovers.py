@@ -39,12 +39,12 @@ def test_a_record_that_is_only_noisy_has_no_fault() -> None:
     [
         (
             lambda t: 1.2 * swing(t),
-            "the record is 1.2 times what the updated model gives in t0, t1, t2",
+            "the record is 1.2 times the response of the updated model in t0, t1, t2",
             1.2,
         ),
-        (lambda t: swing(t) / 9.81, "times what the updated model gives", 1.0 / 9.81),
+        (lambda t: swing(t) / 9.81, "times the response of the updated model", 1.0 / 9.81),
         (lambda t: swing(t) + 0.5 * t, "drifts by 0.5", 0.5),
-        (lambda t: swing(t - 0.004), "comes 4 ms later than the updated model", 0.004),
+        (lambda t: swing(t - 0.004), "lags the updated model by 4 ms", 0.004),
         (lambda t: swing(t + 0.004), "comes 4 ms earlier", -0.004),
     ],
 )
@@ -59,7 +59,7 @@ def test_the_fault_is_named_with_its_size(
 
 def test_a_channel_that_is_late_in_an_aligned_trial_is_held_against_the_others() -> None:
     (finding,) = told(lambda t: swing(t - 0.004), is_aligned=True)
-    assert "later than the other channels of its trial" in finding.message
+    assert "lags the other channels of its trial" in finding.message
     assert "low_pass" in finding.message
 
 

@@ -170,7 +170,7 @@ def test_an_averaged_trial_explains_its_record() -> None:
         [averaged], {"strut.spring.rate": "10 %"}, align="lag", weights="normalised"
     )
     assert found.parameters["strut.spring.rate"].value == pytest.approx(24e3, rel=2e-3)
-    with pytest.raises(FitError, match="no loop of a belt"):
+    with pytest.raises(FitError, match="no complete loop of the belt"):
         averaged_trial(trial, find_passages(data.sel(time=slice(0.0, 0.45)), right, ONE, 3.87))
 
 

@@ -101,7 +101,7 @@ def test_draws_stay_within_bounds_and_say_that_these_decide():
     )
     draws = found.samples["a"].to_numpy().ravel()
     assert draws.min() >= best[0]
-    assert any("an update keeps it at the bound" in finding.message for finding in found.findings)
+    assert any("an update holds it at the bound" in finding.message for finding in found.findings)
 
 
 def test_a_polynomial_gives_back_what_it_goes_through():

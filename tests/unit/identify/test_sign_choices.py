@@ -54,7 +54,7 @@ def test_a_column_that_is_turned_is_named_with_the_reason(
         ", since the sign of the other column was stated": stroke != force,
         f", since a gas force of {rest:.3g} N then pushes outwards": not (stroke or force)
         and gas != 0,
-        ", or the stroke was: the record cannot tell": not (stroke or force)
+        ", or the stroke was: the record cannot decide": not (stroke or force)
         and gas == 0
         and unlike,
         f"; but then the force at rest pulls inwards ({rest:.3g} N)": gas != 0 and rest < 0.0,
@@ -80,7 +80,7 @@ def test_columns_that_agree_are_questioned_where_swapping_them_would_matter() ->
         ((severity, text, value),) = told
         assert (severity, value) == ("warning", -60.0 if gas else None)
         assert ("where gas would push outwards" in text) == (gas < 0)
-        assert ("no gas force in the record shows which is which" in text) == (gas == 0)
+        assert ("the record contains no gas force to identify them" in text) == (gas == 0)
         assert ("Check what was stated." in text) == stated
 
 

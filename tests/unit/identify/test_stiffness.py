@@ -232,7 +232,7 @@ def test_of_several_load_cycles_one_is_taken(farthest):
     assert result.hysteresis_energy == pytest.approx(0.2 * 0.5 * 1e5 * 0.010**2, rel=0.02)
     assert result.stiffness.value == pytest.approx(1e5)
     assert (
-        f"turns 5 times: only the largest one is used, points {201 * farthest + 1} to"
+        f"turns 5 times): only the largest one is used, points {201 * farthest + 1} to"
         in messages(result)
     )
     assert "turns" not in messages(fit_stiffness([ForceDeflectionTrial(one, one)]))
@@ -249,7 +249,7 @@ def test_without_unloading_there_is_no_loss_factor_but_a_finding():
     result = fit_stiffness([line(2e4)])
     assert result.loss_factor is None
     assert result.hysteresis_energy is None
-    assert "has an unloading branch: no hysteresis" in messages(result)
+    assert "has an unloading branch, so there is no hysteresis" in messages(result)
 
 
 def test_curvature_under_a_linear_law_is_reported():
@@ -340,8 +340,8 @@ def test_result_is_plain_data():
             {},
             "ends at its zero .* -10 mm and -100 N",
         ),
-        ([line(1e4)], {"operating_force": math.nan}, "not a static force; found .nan N"),
-        ([line(1e4)], {"operating_force": 0.0}, "operating_force: not a static force"),
+        ([line(1e4)], {"operating_force": math.nan}, "invalid static force; found .nan N"),
+        ([line(1e4)], {"operating_force": 0.0}, "operating_force: invalid static force"),
         (
             [ForceDeflectionTrial(STROKE, np.where(STROKE > 0.00985, 9.0, -1.0))],
             {"law": "power", "zero": "none"},
@@ -672,7 +672,7 @@ def test_sides_that_differ_and_points_that_a_law_leaves_out_are_named():
     )
     assert "N/m in tension and 2.2" in sides
     one_side = fit_stiffness([ForceDeflectionTrial(way, force)], law="monotone-spline")
-    assert any("20 of 41 points lie below the zero" in one.message for one in one_side.findings)
+    assert any("20 of 41 points are below the zero" in one.message for one in one_side.findings)
 
 
 @pytest.mark.parametrize("width", [1e-4, 2e-3])
@@ -685,8 +685,8 @@ def test_a_slip_of_the_grip_is_named_with_the_slope_without_it(width):
     (slip,) = [one for one in result.findings if "slip of" in one.message]
     assert slip.value == pytest.approx(45.4, rel=0.1)
     assert (
-        "the slope without it is 2.2" in slip.message
-        or "the slope without it is 2.3" in slip.message
+        "the slope without the slip is 2.2" in slip.message
+        or "the slope without the slip is 2.3" in slip.message
     )
 
 

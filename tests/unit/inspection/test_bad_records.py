@@ -121,9 +121,9 @@ CHANGES = {
         lambda t, z, f: (np.arange(2 * t.size) * 1e-3, np.tile(z, 2), np.tile(f, 2)),
         "2 sweeps in one record",
     ),
-    "wrong weight": (lambda t, z, f: (t, z, 0.85 * f), "the static weight contradicts the signal"),
+    "wrong weight": (lambda t, z, f: (t, z, 0.85 * f), "the static load contradicts the signal"),
     "dead plate": (lambda t, z, f: (t, 0.0 * z, f), "the plate never moves"),
-    "slow sampling": (lambda t, z, f: (t[::8], z[::8], f[::8]), "samples per second are too few"),
+    "slow sampling": (lambda t, z, f: (t[::8], z[::8], f[::8]), "samples per second is too few"),
     "no wheel": (
         lambda t, z, f: (t, z, 0.0 * f + 4316.4),
         "no wheel on a plate explains this record",
@@ -139,7 +139,7 @@ def test_unfit_records_say_why(name, car_run, load, left_record, eusama):
 
 
 WEAKER = {
-    "load off": (lambda t, z, f: (t, z, f + 150.0), "+3.5 %, where 2 % is allowed"),
+    "load off": (lambda t, z, f: (t, z, f + 150.0), "+3.5 %, but only 2 % is allowed"),
     "sampling": (lambda t, z, f: (t[::2], z[::2], f[::2]), "500 samples per second"),
     "a few clipped": (
         lambda t, z, f: (t, z, np.minimum(f, np.sort(f)[-25])),
@@ -166,8 +166,8 @@ def test_limits_of_a_static_load_that_is_off(car_run, left_record, eusama):
     measured = evaluate(left_record(time, height, force), eusama).wheel("left").static_load
     for off, words in (
         (0.0195, ""),
-        (0.0205, "where 2 % is allowed"),
-        (0.0795, "where 2 % is allowed"),
+        (0.0205, "but only 2 % is allowed"),
+        (0.0795, "but only 2 % is allowed"),
     ):
         found = evaluate(left_record(time, height, force, measured / (1.0 + off)), eusama).wheel(
             "left"
@@ -177,7 +177,7 @@ def test_limits_of_a_static_load_that_is_off(car_run, left_record, eusama):
     assert_unfit(
         left_record(time, height, force, measured / 1.0805),
         eusama,
-        "the static weight contradicts the signal",
+        "the static load contradicts the signal",
     )
 
 
@@ -198,7 +198,7 @@ def test_sweep_that_is_too_fast(twin, load, left_record, eusama):
 
 def test_tyre_and_weight_out_of_range(twin, left_record, eusama):
     soft, light = twin.Car(kt=120e3), twin.Car(ms=75.0, mu=14.0, k=5e3, c=900.0, kt=120e3)
-    for car, message in ((soft, "below 160 N/mm"), (light, "outside the wheel loads")):
+    for car, message in ((soft, "below 160 N/mm"), (light, "outside the wheel-load range")):
         time, height, force, _ = twin.rigid_record(car, twin.Programme(), mp=20.0, fine=4)
         assert_weakened(left_record(time, height, force, car.static_load), eusama, message)
 
@@ -208,7 +208,9 @@ def test_static_load_from_the_signal_is_said(car_run, load, left_record, eusama)
     found = evaluate(left_record(time, height, force), eusama).wheel("left")
     assert found.static_load == pytest.approx(load, rel=1e-3)
     assert "the header gives no static load" in found.findings[0].message
-    assert_unfit(left_record(time, height, 0.0224809 * force), eusama, "which is no wheel load")
+    assert_unfit(
+        left_record(time, height, 0.0224809 * force), eusama, "which is implausible for a wheel"
+    )
 
 
 @pytest.fixture(scope="module")

@@ -120,7 +120,7 @@ class TestFit:
             assert wide == pytest.approx(2.0 * narrow, rel=0.05)
 
     def test_too_little(self):
-        with pytest.raises(FitError, match="too little signal"):
+        with pytest.raises(FitError, match="the signal is too small"):
             fit_response([stretch_of(np.zeros(200), np.zeros(200), 1000.0, 1.0, 20.0)], 4000.0)
 
 

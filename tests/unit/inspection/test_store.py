@@ -159,7 +159,7 @@ def test_no_store_is_made_for_reading(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("location", ["nosuch://x/y", "://", "oracle+nosuch://x"])
 def test_a_location_that_means_nothing_is_refused(location) -> None:
-    with pytest.raises(DescriptionError, match="no database"):
+    with pytest.raises(DescriptionError, match="the database address"):
         Store(location)
 
 

@@ -114,7 +114,7 @@ def test_a_store_that_is_busy_is_tried_again(folder, store, monkeypatch) -> None
 
     with monkeypatch.context() as context:
         context.setattr(watching, "import_record", busy)
-        assert "tried again" in watch.look()[0].problem
+        assert "tries again" in watch.look()[0].problem
         assert watch.look() == []  # said once
         assert watch.waiting
     assert watch.look()[0].imported.is_new

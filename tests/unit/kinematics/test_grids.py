@@ -79,7 +79,7 @@ def test_text_is_read_as_a_range() -> None:
         np.radians([-2.0, 0.0, 2.0]), abs=1e-12
     )
     assert np.array_equal(sweep_values("80 mm:-80 mm:-4 mm", "wheel travel"), found[::-1])
-    with pytest.raises(DescriptionError, match="leads away"):
+    with pytest.raises(DescriptionError, match="does not lead"):
         sweep_values("80 mm:-80 mm:4 mm", "wheel travel")
 
 

@@ -202,7 +202,7 @@ def imported(name: str, folder: Path) -> Corner:
     file.write_text("\n".join(["name,x [m],y [m],z [m]", *rows]), encoding="utf-8")
     wheel = jn.load(name).wheel
     _, findings, text = import_hardpoints(file, wheel_radius=wheel.radius)
-    assert any("no strut is in the table" in finding.message for finding in findings)
+    assert any("the table contains no strut" in finding.message for finding in findings)
     (folder / "rig.toml").write_text(text, encoding="utf-8")
     return jn.load(folder / "rig.toml").with_changes(
         {"wheel.camber": wheel.camber, "wheel.toe": wheel.toe}

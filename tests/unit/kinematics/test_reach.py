@@ -85,7 +85,7 @@ def test_many_ends_are_counted() -> None:
 def test_a_toggle_is_told_before_the_mechanism_locks() -> None:
     near = jn.sweep_travel(RIG, np.linspace(-0.24, 0.08, 321))
     assert near.attrs["status"] == "completed"
-    assert "a toggle is near" in near.attrs["findings"]
+    assert "near a toggle position" in near.attrs["findings"]
     assert (
         "wheel travel -237 mm: parts move 3.08 times as fast" in near.attrs["findings"]
     )  # the first beyond 3 times

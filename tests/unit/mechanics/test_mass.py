@@ -117,7 +117,7 @@ def test_open_and_inside_out_meshes_are_refused(tmp_path):
     with pytest.raises(jn.JounceError, match=r"nowhere\.stl"):
         jn.mechanics.mesh(DENSITY, tmp_path / "nowhere.stl")
     broken = tmp_path / "broken.stl"
-    broken.write_text("not a surface", encoding="utf-8")
+    broken.write_text("the surface cannot be read", encoding="utf-8")
     with pytest.raises(jn.JounceError, match=r"broken\.stl"):
         jn.mechanics.mesh(DENSITY, broken)
     with pytest.raises(jn.JounceError, match=r"block\.what"):

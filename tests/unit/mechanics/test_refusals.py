@@ -525,7 +525,7 @@ def symbols(count):
         (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, damping=-1.0), "k.damping: out of range"),
         (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, free_length="-1 m"), "k.free_length: out of range"),
         (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness="1 N"), "k.stiffness: wrong unit"),
-        (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness=1.0, force=t.q), "accepts no other numbers"),
+        (lambda t: t.m.spring_damper("k", t.b, t.s, ORIGIN, Y, stiffness=1.0, force=t.q), "takes no other numbers"),
         (lambda t: t.m.spring_damper("", t.b, t.s, ORIGIN, Y), "spring and damper: invalid name; found ''"),
         (lambda t: t.m.spring_damper("k ", t.b, t.s, ORIGIN, Y), "invalid name; found 'k '"),
         (lambda t: t.m.spring_damper("k", t.b, 3, ORIGIN, Y), "k: not a body; found 'int'"),
@@ -611,7 +611,7 @@ def test_the_corrected_call_is_taken():
     with refused("invalid vector"):
         mechanism.rod("rod", body, slider, (0.0, 0.0, 1.0), (0.0, 1.0))
     mechanism.rod("rod", body, slider, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0))
-    with refused("limits of a stop are crossed"):
+    with refused("lower limit of the stop is above the upper one"):
         mechanism.stop("end", distance, lower=1.0, upper=0.0, stiffness=1e3)
     mechanism.stop("end", distance, lower=0.0, upper=1.0, stiffness=1e3)
     with refused("invalid mass"):

@@ -63,7 +63,7 @@ def test_points_and_bodies_are_those_of_the_rig() -> None:
     said = " ".join(finding.message for finding in findings)
     assert "subframe_front" in said
     assert "subframe (25 kg)" in said
-    assert "the joints are rigid: lca_front" in said
+    assert "so their joints are rigid: lca_front" in said
 
 
 def test_property_files_in_their_units_and_signs(changed) -> None:
@@ -123,8 +123,8 @@ def test_what_is_not_there_is_estimated_and_named(changed) -> None:
     assert rig.bodies.lower_arm.mass == pytest.approx(RIG.bodies.lower_arm.mass)
     assert "bodies.lower_arm.inertia" in rig.estimated
     said = " ".join(f"{finding.place}: {finding.message}" for finding in findings)
-    assert "strut.spring: its property file is not there" in said
-    assert "bodies.upright: it is not in the file: 8 kg assumed" in said
+    assert "strut.spring: the property file" in said
+    assert "bodies.upright: not in the file: 8 kg assumed" in said
     assert rig.sprung.mass == pytest.approx(350.0, rel=0.5)
 
 
@@ -261,7 +261,7 @@ def test_bushings_in_their_units(changed, units) -> None:
     }
     assert any("T_PRELOAD_X" in finding.message for finding in findings)
     assert said
-    assert not any("the joints are rigid" in finding.message for finding in findings)
+    assert not any("joints are rigid" in finding.message for finding in findings)
     assert "[bushings.lower_arm_front]" in text
     rigid, _, _ = import_adams(file, rigid=True)
     assert rigid.bushings.lower_arm_front is None
@@ -271,7 +271,7 @@ def test_bushings_in_their_units(changed, units) -> None:
     ("curve", "message"),
     [
         ("[FX_CURVE]\n1 10\n2 20\n", "does not reach zero"),
-        ("[FX_CURVE]\n-1 10\n1 -10\n", "pushes away"),
+        ("[FX_CURVE]\n-1 10\n1 -10\n", "negative stiffness"),
         ("", "FX_CURVE"),
     ],
 )
@@ -294,7 +294,7 @@ def test_tabs_and_parts_given_twice(changed) -> None:
     end = text.index("[", begin + 1)
     file.write_text(text[:end] + text[begin:end] + text[end:])
     with pytest.raises(
-        DescriptionError, match=r"is given twice; found 'first in .*allowed: every part once"
+        DescriptionError, match=r"is given twice; found 'first in .*allowed: each part once"
     ):
         import_adams(file)
 
@@ -352,7 +352,7 @@ def test_without_a_strut_it_is_a_rig_for_kinematics(changed) -> None:
     )
     rig, findings, text = import_adams(changed(*struts), wheel_radius=RIG.wheel.radius)
     assert rig.lacks == ("strut", "bodies", "spring", "damper", "tyre")
-    assert any("no strut is in it" in finding.message for finding in findings)
+    assert any("contains no strut" in finding.message for finding in findings)
     assert "[bodies" not in text
     found, expected = (
         jn.sweep_travel(one, [-0.03, 0.0, 0.03]) for one in (rig, import_adams(DATABASE / SUB)[0])

@@ -212,11 +212,11 @@ def scaled(factor: float) -> Corner:
 
 
 SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
-    ({"wheel.radius": 3.0}, "wheel.radius", "not plausible for a wheel", 3.0),
-    ({"wheel.radius": 0.01}, "wheel.radius", "not plausible for a wheel", 0.01),
+    ({"wheel.radius": 3.0}, "wheel.radius", "implausible for a wheel", 3.0),
+    ({"wheel.radius": 0.01}, "wheel.radius", "implausible for a wheel", 0.01),
     ({"wheel.camber": -1.0}, "wheel.camber", "were degrees given as rad", -1.0),
     ({"wheel.toe": 0.3}, "wheel.toe", "17.2 deg is a lot", 0.3),
-    ({"tyre.undeformed_radius": 0.42}, "hardpoints.wheel_centre", "pressed in by 120 mm", 0.12),
+    ({"tyre.undeformed_radius": 0.42}, "hardpoints.wheel_centre", "compressed by 120 mm", 0.12),
     ({"tyre.undeformed_radius": 0.2}, "hardpoints.wheel_centre", "above the road by 100 mm", -0.1),
     (
         {"hardpoints.strut_top": [0.01, 0.3, 0.52]},
@@ -239,13 +239,13 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
     (
         {"hardpoints.tie_rod_inner[1]": 0.72},
         "hardpoints.tie_rod_inner",
-        "further out than tie_rod_outer",
+        "further outboard than tie_rod_outer",
         None,
     ),
     (
         {"hardpoints.tie_rod_inner[1]": -0.02},
         "hardpoints.tie_rod_inner",
-        "just across the middle",
+        "slightly beyond the middle",
         -0.02,
     ),
     (
@@ -269,7 +269,7 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
     (
         {"strut.spring.rate": 400.0, "strut.spring.preload": 0.0},
         "strut.spring",
-        "cannot hold the weight",
+        "cannot carry the weight",
         None,
     ),
     (
@@ -279,12 +279,12 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
         5726.52 / 40e3 / 0.6985,
     ),
     ({"strut.spring.preload": 11000.0}, "strut.spring", "of wheel travel into rebound", None),
-    ({"sprung.mass": "40260 kg"}, "strut.spring", "cannot hold the weight", None),
-    ({"tyre.stiffness": "20 N/mm"}, "tyre", "is the stiffness right", None),
+    ({"sprung.mass": "40260 kg"}, "strut.spring", "cannot carry the weight", None),
+    ({"tyre.stiffness": "20 N/mm"}, "tyre", "check the stiffness", None),
     (
         {"strut.bump_stop": {"gap": -0.005, "rate": 1e5}},
         "strut.bump_stop.gap",
-        "pressed in by 5 mm",
+        "compressed by 5 mm",
         -0.005,
     ),
     (
@@ -297,7 +297,7 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
     (
         {"estimated": ("bodies", "strut.damping")},
         "estimated",
-        "'strut.damping' names no parameter",
+        "'strut.damping' is neither a parameter",
         None,
     ),
     (
@@ -399,7 +399,7 @@ def test_springs_beside_the_strut_carry_the_car_too() -> None:
     assert "torsion_bar" not in {item.place for item in rig_findings(held)}
     weak = rig.with_changes({"torsion_bar.stiffness": 20.0})
     message = next(item.message for item in rig_findings(weak) if item.place == "torsion_bar")
-    assert "cannot hold the weight" in message
+    assert "cannot carry the weight" in message
     assert "at the wheel centre" in message
 
 
@@ -409,7 +409,7 @@ def test_choices_may_be_estimated():
         {"estimated": ["strut.on", "strut.onn", "guide"]}
     )
     said = [finding.message for finding in rig_findings(rig) if finding.place.endswith("estimated")]
-    assert said == ["'strut.onn' names no parameter and no part of this rig."]
+    assert said == ["'strut.onn' is neither a parameter nor a part of this rig."]
 
 
 def test_a_quarter_car_upon_its_stop_is_told():

@@ -80,18 +80,21 @@ BAD: list[tuple[Callable[[dict[str, Any]], object], str]] = [
     (lambda t: t["Spring"].update({"Minimum Length": 0.4}), "lengths contradict"),
     (
         lambda t: t["Spindle"].update(COM=[1.0, 2.0]),
-        "Spindle: COM: not the numbers.*3 finite numbers",
+        "Spindle: COM: unexpected numbers.*3 finite numbers",
     ),
     (lambda t: t["Spindle"].update(COM=[1.0, 2.0, "a"]), "Spindle: COM: not a regular list"),
-    (lambda t: t["Spindle"].update(COM=[1.0, 2.0, float("nan")]), "Spindle: COM: not the numbers"),
-    (lambda t: t["Spindle"].update(Mass=True), "Spindle: Mass: not the numbers"),
+    (
+        lambda t: t["Spindle"].update(COM=[1.0, 2.0, float("nan")]),
+        "Spindle: COM: unexpected numbers",
+    ),
+    (lambda t: t["Spindle"].update(Mass=True), "Spindle: Mass: unexpected numbers"),
     (lambda t: t["Shock"].pop("Map Data"), "'Map Data' is missing"),
     (lambda t: t["Shock"]["Map Data"][1].pop(), "Map Data: not a regular list"),
-    (lambda t: t["Shock"]["Deformation"].pop(), r"Map Data: not the numbers.*n x 15 finite"),
-    (lambda t: t["Shock"]["Deformation"].reverse(), "Deformation: not at least two ascending"),
+    (lambda t: t["Shock"]["Deformation"].pop(), r"Map Data: unexpected numbers.*n x 15 finite"),
+    (lambda t: t["Shock"]["Deformation"].reverse(), "Deformation: fewer than two ascending"),
     (
         lambda t: [row.__setitem__(0, row[0] + 2.0) for row in t["Shock"]["Map Data"]],
-        "do not lie about zero",
+        "do not span zero",
     ),
 ]
 

@@ -128,7 +128,7 @@ def test_inertia_in_vehicle_axes_is_kept(tmp_path: Path):
     )
     rig, findings, _ = import_chrono(file)
     assert rig.bodies.lower_arm.inertia.tensor == pytest.approx(np.diag([0.0151, 0.0207, 0.0355]))
-    assert any("vehicle axes, as the file says" in finding.message for finding in findings)
+    assert any("vehicle axes, as the file states" in finding.message for finding in findings)
 
 
 def test_products_of_inertia_are_tensor_elements(tmp_path: Path):
@@ -299,7 +299,8 @@ def test_sprung_mass_is_what_the_spring_carries():
     rig, findings, _ = read("MacPhersonStrut")
     assert rig.sprung.mass == 350.0
     assert any(
-        "carries nothing at design: 350 kg assumed" in finding.message for finding in findings
+        "carries nothing in the design position: 350 kg is assumed" in finding.message
+        for finding in findings
     )
 
 
@@ -397,7 +398,7 @@ BAD: list[tuple[str, Callable[[dict[str, Any]], object], str]] = [
     (
         "DoubleWishboneCurve",
         lambda t: t["Spring"]["Spring Curve Data"].reverse(),
-        "Curve Data: not at least two ascending",
+        "Curve Data: fewer than two ascending",
     ),
     (
         "DoubleWishboneCurve",
@@ -407,7 +408,7 @@ BAD: list[tuple[str, Callable[[dict[str, Any]], object], str]] = [
     (
         "van_DoubleWishboneFront",
         lambda t: t["Spring"].update({"Minimum Length": 0.4}),
-        "Minimum Length: not at least two",
+        "Minimum Length: fewer than two",
     ),
     (
         "Sedan_MultiLink",

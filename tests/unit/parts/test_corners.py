@@ -239,7 +239,7 @@ MISTAKES = [  # old text, new text, line of the message, message
         '"720 mm", "140 mm"',
         '720, "140 mm"',
         14,
-        r"lower_ball_joint: is far from the other points.*Millimetres as metres",
+        r"lower_ball_joint: is far from the other points.*Were millimetres given as metres",
     ),
     (
         '"720 mm", "140 mm"',
@@ -251,7 +251,7 @@ MISTAKES = [  # old text, new text, line of the message, message
         '["110 mm", "450 mm"',
         '["110 mm", "-450 mm"',
         15,
-        r"upper_arm_front: on the other side.*Is the sign of y wrong",
+        r"upper_arm_front: not on the same side.*Is the sign of y wrong",
     ),
     (
         'side = "left"',
@@ -337,7 +337,7 @@ MISTAKES = [  # old text, new text, line of the message, message
         'on = "lower_arm"',
         'angle = "26 deg"',
         48,
-        r"strut.angle: a 3-D rig takes no strut angle.*found '26 deg'.*strut_top",
+        r"strut.angle: a 3-D rig has no strut-angle setting.*found '26 deg'.*strut_top",
     ),
     (
         'guide = "vertical"',

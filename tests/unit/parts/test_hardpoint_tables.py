@@ -56,9 +56,9 @@ LOTUS_5 = "{x:.3f}\t{y:.3f}\t{z:.3f}\tPOINT:{number} {name}"
         (["name,x [mm],y [mm],z [mm]", *rows()], ""),
         (
             ["name;x;y;z;what", *(line + ";by hand" for line in rows("{name};{x};{y};{z}"))],
-            "names no unit: mm",
+            "states no unit: mm",
         ),
-        ([line.replace(".", ",") for line in rows("{name}; {x}; {y}; {z}")], "names no unit: mm"),
+        ([line.replace(".", ",") for line in rows("{name}; {x}; {y}; {z}")], "states no unit: mm"),
         (["units: m", *rows("{name} {x} {y} {z}", scale=1.0)], ""),
         (
             ["# Shark", "TYPE 1 Double wishbone", *rows(LOTUS_4, LOTUS, turn=(-1, 1, 1))],
@@ -69,8 +69,8 @@ LOTUS_5 = "{x:.3f}\t{y:.3f}\t{z:.3f}\tPOINT:{number} {name}"
             ["Name,X (in),Y (in),Z (in)", *rows("{name}_L,{x},{y},{z}", OPTIMUM, scale=1 / 0.0254)],
             "",
         ),
-        (rows("  {name}: [{x}, {y}, {z}]"), "names no unit: mm"),
-        (rows('  "{name}": {{"x": {x}, "y": {y}, "z": {z}}},'), "names no unit: mm"),
+        (rows("  {name}: [{x}, {y}, {z}]"), "states no unit: mm"),
+        (rows('  "{name}": {{"x": {x}, "y": {y}, "z": {z}}},'), "states no unit: mm"),
         (
             rows(
                 "{name},{x},{y},{z}",
@@ -90,7 +90,7 @@ def test_every_manner_of_writing_gives_the_rig(tmp_path, lines, told) -> None:
     assert list(rig.estimated) == ["wheel.radius", "strut.pushrod_on"]
     said = " ".join(finding.message for finding in findings)
     assert told in said
-    assert "wheel's radius" in said
+    assert "wheel radius" in said
     (tmp_path / "rig.toml").write_text(text, encoding="utf-8")
     again = jn.load(tmp_path / "rig.toml")
     assert again.hardpoints == rig.hardpoints
@@ -143,7 +143,8 @@ def test_axes_sides_axles_and_names(tmp_path) -> None:
         (0.0, 0.02, 0.4)
     )
     with pytest.raises(
-        DescriptionError, match=r"given twice.*told apart by a column of left and right"
+        DescriptionError,
+        match=r"given twice.*Distinguish the sides of the car by a column with left and right",
     ):
         read(tmp_path, rows() + rows(turn=(1, -1, 1)))
     own = rows(names={"wheel_centre": "Hub"})
@@ -205,7 +206,7 @@ def test_the_road_is_found(tmp_path) -> None:
             "UCA front L: a hardpoint without three coordinates.*name and three",
         ),
         (rows(), {"axes": "x,y"}, "three axes are required"),
-        (rows(), {"axes": "-x,y,z"}, "the arm's front lies behind its rear.*Turn x round"),
+        (rows(), {"axes": "-x,y,z"}, "the arm's front lies behind its rear.*Reverse x"),
         (rows(), {"model": "five-links"}, "unknown suspension 'five-links'.*five-link"),
         (rows(), {"model": "five-link"}, "points of a five-link are missing"),
         (rows(), {"names": {"a": "wheel_centre"}}, "unknown name 'a'"),
@@ -217,7 +218,7 @@ def test_the_road_is_found(tmp_path) -> None:
             {},
             "left and right points are on the same side",
         ),
-        (rows(tie_rod_inner=(0.065, -0.225, 0.148)), {}, "on the other side of the car"),
+        (rows(tie_rod_inner=(0.065, -0.225, 0.148)), {}, "not on the same side of the car"),
         (rows(tie_rod_inner=POINTS["lower_arm_front"]), {}, "coincides with"),
     ],
 )

@@ -87,7 +87,7 @@ def test_names_of_nobody_follow_from_the_structure(tmp_path: Path, frames: dict[
     for name, place in wanted.items():
         assert points[name] == pytest.approx(place, abs=1e-9), name
     said = " ".join(finding.message for finding in findings)
-    assert "the rig is for kinematics alone: lower_arm, " in said
+    assert "the rig supports kinematics only: lower_arm, " in said
     assert "lower_ball_joint follows from the structure" in said
     assert set(rig.lacks) == {"bodies", "spring", "damper", "tyre"}
     assert np.isfinite(jn.sweep_travel(rig, [0.0])["camber"].values).all()
@@ -98,7 +98,7 @@ def test_without_a_spring_it_is_a_rig_for_kinematics(tmp_path: Path) -> None:
     file.write_text(ARMS.format(**PLAIN).replace("30000", "0"))
     rig, findings, _ = import_mjcf(file)
     assert rig.lacks == ("strut", "bodies", "spring", "damper", "tyre")
-    assert any("for kinematics alone: " in finding.message for finding in findings)
+    assert any("supports kinematics only: " in finding.message for finding in findings)
     assert np.isfinite(jn.sweep_travel(rig, [-0.01, 0.0, 0.01])["camber"]).all()
 
 
@@ -143,8 +143,8 @@ def test_springs_and_dampers_of_joints_are_said_to_be_left_out(tmp_path: Path) -
             ARMS.format(**PLAIN).replace('name="b" pos', 'name="b" fromto'),
             "b: fromto: a site between two places",
         ),
-        (ARMS.format(**PLAIN).replace("30000", "hard"), "tendon.*stiffness: not the numbers"),
-        (ARMS.format(**PLAIN).replace("30000", ""), "tendon.*stiffness: not the numbers"),
+        (ARMS.format(**PLAIN).replace("30000", "hard"), "tendon.*stiffness: unexpected numbers"),
+        (ARMS.format(**PLAIN).replace("30000", ""), "tendon.*stiffness: unexpected numbers"),
         (
             ARMS.format(**PLAIN).replace("<compiler", '<compiler settotalmass="300"'),
             "masses that are not those",

@@ -259,7 +259,7 @@ def test_axles_of_one_project_keep_their_own_wheels(tmp_path) -> None:
                 "axle_inboard: {x: 1, y: 2, z: 3}\n    axle_outboard: {x: 1, y: 2, z: 3}\n    end: {",
             ),
             "a.yaml",
-            "axle's two points are the same",
+            "two points of the axle coincide",
         ),
         (
             vsusp(**{"tires.diameter_expl": None}),

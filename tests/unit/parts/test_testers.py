@@ -56,7 +56,7 @@ def test_columns_of_the_records_are_in_the_same_file(tmp_path):
         ('stroke = "6.5 mm"', 'stroke = "-6 mm"', "above 0"),
         ('stroke = "6.5 mm"', 'stroke = "6 kg"', "wrong unit"),
         ('plate_spring_rate = "50 N/mm"', "", "plate_spring_rate"),
-        ('kind = "sprung-plate"', 'kind = "rigid-plate"', "a rigid one has none"),
+        ('kind = "sprung-plate"', 'kind = "rigid-plate"', "a rigid plate must not have it"),
         ('kind = "sprung-plate"', 'kind = "rigid"', "rigid-plate"),
         ('method = "theta"', 'method = "thetta"', "theta"),
         ('start_frequency = "12 Hz"', 'start_frequency = "12 Hz", run_down = "free"', "inertia"),

@@ -110,7 +110,7 @@ def test_stiffness_rises_with_the_pressure() -> None:
     assert tyre.stiffness_at() == tyre.stiffness_at(800e3) == tyre.stiffness
     with pytest.raises(
         DescriptionError,
-        match=r"does not say how .* pressure; found '700000 Pa'; allowed: 800000 Pa",
+        match=r"does not state how .* pressure; found '700000 Pa'; allowed: 800000 Pa",
     ):
         tyre.stiffness_at(700e3)
     with pytest.raises(DescriptionError, match="files with PFZ1"):
@@ -284,7 +284,7 @@ def test_bottoming_curves_are_read_and_named_as_dropped(tmp_path: Path) -> None:
     stiff = read_tir(file).tyre(rim=True)["curve"]
     assert stiff["force"] == pytest.approx([0.0, 18000.0, 0.099 * 2e5 + 0.009 * 2e6])
     file.write_text(text.replace("BOTTOMING_RADIUS = 210\n", ""))
-    assert "it never acts" in read_tir(file).findings[0].message
+    assert "this force never acts" in read_tir(file).findings[0].message
     file.write_text(text.replace("5 4000", "5 -4000"))
     with pytest.raises(
         DescriptionError, match=r"line 13: \[BOTTOMING_CURVE\]: the curve does not increase"

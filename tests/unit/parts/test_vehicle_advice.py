@@ -79,4 +79,4 @@ def test_estimated_values_that_do_not_exist():
         FULL.model_copy(update={"estimated": ("body.heigth", "front.tyre", "body.mass")})
     )
     assert found.severity == "note"
-    assert "'body.heigth' names no parameter" in found.message
+    assert "'body.heigth' is neither a parameter" in found.message

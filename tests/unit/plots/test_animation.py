@@ -228,12 +228,12 @@ def test_slow_motion_sets_the_speed(kart, run, page: Path, tmp_path: Path) -> No
 
 def test_another_trial_is_refused(kart, run, sweep, trial, tmp_path: Path) -> None:
     flat = jn.Trial(road=jn.Flat(), **TRIAL)
-    with pytest.raises(DescriptionError, match="not of this trial"):
+    with pytest.raises(DescriptionError, match="not belong to this trial"):
         animate(kart, run, tmp_path / "a.html", trial=flat)
     short = jn.Trial(road=trial.road, speed="1.95 m/s", duration="0.3 s")
     with pytest.raises(DescriptionError, match="after its end"):
         animate(kart, run, tmp_path / "a.html", trial=short)
-    with pytest.raises(DescriptionError, match="a sweep is not driven"):
+    with pytest.raises(DescriptionError, match="a kinematic sweep has no trial"):
         animate(kart, sweep, tmp_path / "a.html", trial=trial)
     with pytest.raises(RecordingError, match="detail=True"):
         animate(kart, run[["road.z", "tyre.force"]], tmp_path / "a.html")

@@ -278,7 +278,7 @@ def test_poses_that_say_too_little_are_refused() -> None:
         mechanism(rig, data.drop_vars("camber"))
     with pytest.raises(RecordingError, match="one dimension"):
         mechanism(rig, data.expand_dims(rack_travel=[0.0, 0.01]))
-    with pytest.raises(RecordingError, match="of a different rig"):
+    with pytest.raises(RecordingError, match="to a different rig"):
         mechanism(rig_of("mcpherson"), data.drop_vars([f"strut_bottom.{i}" for i in "xyz"]))
 
 

@@ -64,7 +64,10 @@ def test_default_channels(run: xr.Dataset) -> None:
 
 @pytest.mark.parametrize(
     ("channels", "message"),
-    [(["sprung.ax"], r"no channel 'sprung.ax'.*Did you mean 'sprung.az'"), ([], "no channel over")],
+    [
+        (["sprung.ax"], r"no channel 'sprung.ax'.*Did you mean 'sprung.az'"),
+        ([], "no channel varies over"),
+    ],
 )
 def test_unknown_channels(run: xr.Dataset, channels: list[str], message: str) -> None:
     with pytest.raises(RecordingError, match=message):

@@ -94,7 +94,7 @@ def test_what_carries_its_own_gives_what_arrays_give(
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: jn.fit_decay(RUN, mass=16.0), r"more than one .*in m; found 'strut.deflection, .*Select one"),
+        (lambda: jn.fit_decay(RUN, mass=16.0), r"more than one .*in m; found 'strut.deflection, .*Select a channel"),
         (lambda: jn.fit_decay(DECAY, mass=16.0, quantity="velocity"), r"has not a channel in m/s"),
         (lambda: jn.fit_decay(X, mass=16.0), r"the time is missing"),
         (lambda: jn.fit_damper(X), r"the force is missing"),

@@ -125,7 +125,7 @@ def test_of_several_sheets_with_numbers_one_is_chosen(tmp_path: Path) -> None:
     file = book(tmp_path / "a.xlsx", **sheets)
     with pytest.raises(
         RecordingError,
-        match=r"several sheets contain numbers; found 'first, second'.*Select one: variable",
+        match=r"several sheets contain numbers; found 'first, second'.*Select a sheet: variable",
     ):
         jn.read_recording(file)
     assert np.all(force_of(file, variable="second") < 0.0)

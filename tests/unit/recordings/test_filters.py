@@ -141,9 +141,9 @@ def test_impossible_rate(rate: float) -> None:
 
 
 def test_lengths_must_fit() -> None:
-    with pytest.raises(RecordingError, match="do not fit together"):
+    with pytest.raises(RecordingError, match="do not match"):
         resample(TIME, TIME[1:], 10.0)
-    with pytest.raises(RecordingError, match="do not fit together"):
+    with pytest.raises(RecordingError, match="do not match"):
         resample([0.0], [0.0], 10.0)
 
 

@@ -257,8 +257,8 @@ def test_times_that_count_from_a_far_past_follow_from_their_step(tmp_path, rate,
 @pytest.mark.parametrize(
     ("columns", "told", "said"),
     [
-        ("One", 38, "rows were added to it"),
-        ("No", 41, "it was cut off; what is there was read"),
+        ("One", 38, "rows were added"),
+        ("No", 41, "it was cut off, and only the samples it contains were read"),
         ("No", 40, None),
     ],
 )

@@ -154,7 +154,7 @@ def test_a_matrix_that_announces_other_numbers_than_it_holds_is_refused(
     at = content.rindex(count)
     (tmp_path / "a.mat").write_bytes(content[:at] + more + content[at + len(more) :])
     with pytest.raises(
-        RecordingError, match=f"announces {WAVE.size + 7} numbers but contains {WAVE.size}"
+        RecordingError, match=f"declares {WAVE.size + 7} numbers but contains {WAVE.size}"
     ):
         read_recording(
             tmp_path / "a.mat",

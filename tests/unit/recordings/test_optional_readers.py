@@ -183,7 +183,7 @@ def test_uff_in_the_units_it_gives_and_cut_off(tmp_path: Path) -> None:
     file.write_text("\n".join([*lines[:16], "    -1", ""]))
     run, (finding,) = read_recording(file, columns={"sprung.az": "Wheel"})
     assert (finding.severity, finding.value, run.sizes["time"]) == ("problem", 12.0, 12)
-    assert "announces 40 samples and holds 12" in finding.message
+    assert "declares 40 samples but contains 12" in finding.message
     file.write_text(whole + "\n".join(data_set_58("Body", 3, WAVE).splitlines()[:16]))
     run, findings = read_recording(file, columns={"sprung.az": "Wheel"})
     assert "the last data set has no end" in findings[0].message
@@ -227,7 +227,7 @@ def test_tdms_cut_off_says_how_much_is_there(tmp_path: Path) -> None:
     held = run.sizes["time"]
     assert 1000 < held < 2000
     assert (findings[0].severity, findings[0].value) == ("problem", held)
-    assert f"announces 2000 samples and holds {held}" in findings[0].message
+    assert f"declares 2000 samples but contains {held}" in findings[0].message
     np.testing.assert_allclose(run["unsprung.az"], 9.80665 * wave[:held])
     file.write_bytes(content[: round(0.3 * len(content))])
     run, findings = read_recording(file, columns={"sprung.az": "a"})
@@ -305,7 +305,7 @@ def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Pat
             both["sprung.az"], 9.80665 * truth(both["time"].to_numpy()), atol=1e-9
         )
         alone, notes = read_recording(file, columns={"sprung.az": "az"})
-        assert "speed [m/s]; resample brings them onto one time" in notes[0].message
+        assert "speed [m/s]; resample puts them on a common time base" in notes[0].message
         np.testing.assert_allclose(alone["sprung.az"], 9.80665 * truth(fast), atol=1e-9)
         run, notes = read_recording(file, columns=columns, resample="5 ms")
         time = run["time"].to_numpy()
@@ -326,7 +326,7 @@ def test_tdms_and_mdf_signals_on_other_clocks_are_brought_onto_one(tmp_path: Pat
             file, columns={"sprung.az": "az"}, resample="5 ms", sample_time="2 ms"
         )
         assert float(slowed["time"][-1]) == pytest.approx(7.995)
-        assert any("resample and without a sample time brings" in note.message for note in notes)
+        assert any("resample without a sample time puts" in note.message for note in notes)
 
 
 DATABASE = """VERSION ""
@@ -402,10 +402,12 @@ def test_mdf_bus_frames_with_a_database(tmp_path: Path) -> None:
         file, columns={**columns, "body.speed": "Speed"}, database=database, resample="10 ms"
     )
     np.testing.assert_allclose(together["body.speed"], (50.0 + together["time"]) / 3.6, atol=5e-3)
-    with pytest.raises(RecordingError, match=r"It holds bus frames: give the database \(\.dbc\)"):
+    with pytest.raises(
+        RecordingError, match=r"The file contains bus frames: give the database \(\.dbc\)"
+    ):
         read_recording(file, columns=columns)
     database.write_text(DATABASE.replace("BO_ 256", "BO_ 300").replace("BO_ 257", "BO_ 301"))
-    with pytest.raises(RecordingError, match="None of its bus frames is in the database"):
+    with pytest.raises(RecordingError, match="none of the bus frames of the file"):
         read_recording(file, columns=columns, database=database)
     with pytest.raises(RecordingError, match="no such file"):
         read_recording(file, columns=columns, database=tmp_path / "none.dbc")

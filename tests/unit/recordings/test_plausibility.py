@@ -130,9 +130,9 @@ def test_limits_are_where_they_are_said_to_be(
             pytest.approx(1.01 * most, rel=1e-3),
         )
         si = channel_unit(name) + "/s" * (number == "rate")
-        said = "it changes by" if number == "rate" else f"the {number} is"
+        said = "changes by" if number == "rate" else f"the {number} is"
         assert (
-            f"{said} {1.01 * most:.3g} {si}, and no suspension reaches {most:g} {si}"
+            f"{said} {1.01 * most:.3g} {si}, but no suspension exceeds {most:g} {si}"
             in finding.message
         )
         if least is None:
@@ -256,7 +256,7 @@ def test_gravity_in_g_under_a_header_in_metres() -> None:
     (finding,) = implausible(
         {"sprung.az": 1.002 + 0.1 * WAVE}, STEP, where="", written={"sprung.az": "m/s^2"}
     )
-    assert "is it gravity, and the unit g" in finding.message
+    assert "is this gravity, with the unit g" in finding.message
 
 
 def test_roads_may_climb_and_columns_need_no_time() -> None:

@@ -72,8 +72,8 @@ def test_uneven_marks_cancel_over_a_turn() -> None:
 @pytest.mark.parametrize(
     ("signal", "what"),
     [
-        (np.full(TIME.size, 0.2), "no two levels"),
-        (np.random.default_rng(3).standard_normal(TIME.size), "no two levels"),
+        (np.full(TIME.size, 0.2), "alternate between two levels"),
+        (np.random.default_rng(3).standard_normal(TIME.size), "alternate between two levels"),
         (seen(np.array([1.0, 2.0])), "too few pulses"),
     ],
 )

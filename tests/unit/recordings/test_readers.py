@@ -121,7 +121,7 @@ def test_all_columns_renamed_in_order(tmp_path: Path) -> None:
             "time [s], a [g]",
             {"sprung.az": "a [m/s^2]"},
             RecordingError,
-            "another unit; found 'g'; allowed: m/s.2",
+            "a different unit; found 'g'; allowed: m/s.2",
         ),
     ],
 )
@@ -246,7 +246,7 @@ def test_netcdf_of_others(tmp_path: Path) -> None:
     run.rename(time="t").to_netcdf(tmp_path / "b.nc", engine="h5netcdf")
     other, findings = read_recording(tmp_path / "b.nc")
     assert other["sprung.az"].equals(back["sprung.az"])
-    assert "'t [ms]' was taken for the time" in [one.message for one in findings]
+    assert "'t [ms]' is used as the time" in [one.message for one in findings]
     run["sprung.az"] = run["sprung.az"].where(run["time"] != run["time"][5])
     run.to_netcdf(tmp_path / "c.nc", engine="h5netcdf")
     with pytest.raises(RecordingError, match=r"sprung\.az: not a finite number at row 6"):

@@ -104,7 +104,8 @@ def test_resampled_time_must_still_be_a_clock(tmp_path: Path) -> None:
                 written(tmp_path, changed, np.sin(np.arange(changed.size))), resample="1 ms"
             )
     with pytest.raises(
-        RecordingError, match=r"too many instants; found .* Is time in the unit stated by the file"
+        RecordingError,
+        match=r"too many instants; found .* Is the time in the unit that the file states",
     ):
         read_recording(written(tmp_path, time * 1e9, truth(time)), resample="1 ms")
     file = written(tmp_path, time, truth(time))
@@ -129,7 +130,7 @@ def test_a_sample_time_that_contradicts_the_recorded_time(tmp_path: Path) -> Non
     file = written(tmp_path, time, truth(time))
     run, (finding,) = read_recording(file, sample_time="2 ms")
     assert (finding.severity, finding.place) == ("warning", f"{file}: time")
-    assert "the record is 1.998 s long, by its recorded time 0.999 s" in finding.message
+    assert "the record is 1.998 s long, but its recorded time gives 0.999 s" in finding.message
     assert float(run["time"][-1]) == pytest.approx(1.998)
     assert read_recording(file, sample_time="1 ms")[1] == []
     for shift, told in ((0.49e-3, []), (0.51e-3, ["warning"])):  # half a step

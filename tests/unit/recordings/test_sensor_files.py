@@ -78,7 +78,10 @@ def test_the_file_reads_a_record_as_the_sensors_do(tmp_path: Path, record: Path)
             'schema = "jounce.laboratory/1"\n[channels]\nch0 = 3\n',
             "the quantity that it measures is missing",
         ),
-        (SENSORS.replace("100 mV/(m/s^2)", "100 mV"), r"sprung.az.sensitivity: not a sensitivity"),
+        (
+            SENSORS.replace("100 mV/(m/s^2)", "100 mV"),
+            r"sprung.az.sensitivity: a sensitivity with its units is required",
+        ),
         (SENSORS.replace("0.2 V", "0.2 m"), r"sprung.az.zero"),
         (SENSORS.replace("4 V", "4 kg"), r"sprung.az.range"),
         (SENSORS.replace("zero", "zeero"), r"card.toml, line \d+.*zeero"),

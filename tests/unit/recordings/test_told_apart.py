@@ -47,7 +47,7 @@ def test_fast_and_short_records_are_not_doubted(rate: float, count: int) -> None
 def test_a_rate_without_sign_or_with_the_other_one_is_told(names: tuple[str, str]) -> None:
     rate = np.gradient(STROKE, TIME)
     for given, severity, words in (
-        (np.abs(rate), "problem", "absolute value of the rate"), (-rate, "warning", "with the other sign")
+        (np.abs(rate), "problem", "absolute value of the rate"), (-rate, "warning", "with the opposite sign")
     ):  # fmt: skip
         (told,) = implausible(dict(zip(names, (STROKE, given), strict=True)), 0.002, where="")
         assert told.severity == severity
@@ -65,9 +65,7 @@ def test_text_is_read_without_a_header_and_as_dat(
     assert np.allclose(run["sprung.az"], ACCELERATION, atol=1e-6)
     with pytest.raises(RecordingError, match="names 3 columns, but the file has 2"):
         read_recording(file, columns="time [s], sprung.az [m/s^2], sprung.z [m]")
-    with pytest.raises(
-        RecordingError, match=r"the header is missing.*give all names in their order"
-    ):
+    with pytest.raises(RecordingError, match=r"the header is missing.*give all names in order"):
         read_recording(file)
     headed = written(tmp_path / f"b{suffix}", "time [s],sprung.az [g]".replace(",", separator), TIME, ACCELERATION,
                      separator=separator)  # fmt: skip

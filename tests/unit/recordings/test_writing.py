@@ -23,7 +23,7 @@ def test_existing_file_needs_force(tmp_path: Path, suffix: str) -> None:
 
 
 def test_missing_folder_and_unknown_format(tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match="folder of the output does not exist"):
+    with pytest.raises(OutputError, match="output folder does not exist"):
         write_recording(RUN, tmp_path / "none" / "run.nc")
     with pytest.raises(
         OutputError, match=r"not written in this format; found '\.txt'; allowed: \.nc, \.csv"

@@ -63,14 +63,14 @@ def test_a_file_in_its_place(force: bool, tmp_path: Path) -> None:
 
 def test_folder_where_a_file_should_be(tmp_path: Path) -> None:
     (tmp_path / "report.html" / "mine").mkdir(parents=True)
-    with pytest.raises(OutputError, match="where a folder is"):
+    with pytest.raises(OutputError, match="a folder with this name exists"):
         write_folder(tmp_path, FILES, force=True)
 
 
 def test_file_where_a_folder_should_be(tmp_path: Path) -> None:
     (tmp_path / "figures").write_text("mine", encoding="utf-8")
     (tmp_path / "report.html").write_text("old", encoding="utf-8")
-    with pytest.raises(OutputError, match="where a file is"):
+    with pytest.raises(OutputError, match="a file with this name exists"):
         write_folder(tmp_path, FILES, force=True)
     assert listing(tmp_path) == {"figures": "mine", "report.html": "old"}
 

@@ -168,6 +168,7 @@ def test_bands_that_are_resolved() -> None:
     assert found.high[-1] <= 500.0 < found.high[-1] * 10.0**0.1
     np.testing.assert_allclose(found.high / found.low, 10.0**0.1)
     with pytest.raises(
-        RecordingError, match=r"resolves no third-octave band; found '93\.75 Hz up to 500 Hz'"
+        RecordingError,
+        match=r"does not resolve any third-octave band; found '93\.75 Hz up to 500 Hz'",
     ):
         third_octaves(power_spectrum(NOISE, 1000.0, segment=0.016, window="hann"))

@@ -147,7 +147,10 @@ def test_a_channel_that_is_missing() -> None:
             lambda: transfer_function(NOISE, NOISE, RATE, segment="200 s"),
             "needs at least two segments",
         ),
-        (lambda: third_octaves(power_spectrum(NOISE[:16], RATE)), "resolves no third-octave band"),
+        (
+            lambda: third_octaves(power_spectrum(NOISE[:16], RATE)),
+            "does not resolve any third-octave band",
+        ),
     ],
 )
 def test_bad_input_is_one_message(call, text: str) -> None:

@@ -255,7 +255,7 @@ def test_a_linear_model_stands_beside_passive_rides_over_iso_roads() -> None:
 def test_a_drive_too_short_to_be_weighted_is_refused(monkeypatch) -> None:
     monkeypatch.setattr(study, "simulate", lambda *_, **__: ride_of("", 2.0).run)
     trial = SimpleNamespace(trial=None, settling=0.0)
-    with pytest.raises(jn.RecordingError, match=r"too short for Wk.*Drive for longer"):
+    with pytest.raises(jn.RecordingError, match=r"too short for Wk.*Increase the duration"):
         study.drive(jn.load("audi-a6-quarter-car"), trial)
     monkeypatch.setattr(study, "simulate", lambda *_, **__: ride_of("").run)
     assert study.drive(jn.load("audi-a6-quarter-car"), trial).control == "passive"

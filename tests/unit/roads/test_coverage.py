@@ -76,7 +76,7 @@ def test_a_wheel_so_far_behind_that_the_run_is_lost_in_the_digits_is_refused(roa
     for behind in (1e14, 1e29, -1e29):
         with pytest.raises(
             DescriptionError,
-            match=r"too far behind .*; found '-?1e\+(14|29) m'; allowed: up to 1e\+13 m",
+            match=r"implausibly far behind .*; found '-?1e\+(14|29) m'; allowed: up to 1e\+13 m",
         ):
             road.segments(10.0, behind=behind)
 

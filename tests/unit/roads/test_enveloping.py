@@ -115,7 +115,7 @@ def test_roads_in_files_are_named() -> None:
             {"method": "rigid-circle", "radius": 0.3, "start": 3.0},
             "start belongs to the inner road",
         ),
-        ({"method": "rigid-circle", "radius": 0.3, "cam_exponent": 1.0}, "cam with corners"),
+        ({"method": "rigid-circle", "radius": 0.3, "cam_exponent": 1.0}, "cam with sharp corners"),
         ({}, "method: the key is missing"),
     ],
 )

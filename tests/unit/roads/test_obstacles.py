@@ -96,7 +96,7 @@ def test_the_highest_circular_segment_is_a_half_cylinder() -> None:
         segment.height_at(x), HalfCylinder(radius=0.03).height_at(x), rtol=0, atol=1e-15
     )
     with pytest.raises(
-        DescriptionError, match=r"height 0\.031 m is more than a half-cylinder.*up to 0\.03 m"
+        DescriptionError, match=r"height 0\.031 m exceeds that of a half-cylinder.*up to 0\.03 m"
     ):
         CircularSegment(height=0.031, length=0.06)
     with pytest.raises(DescriptionError, match=r"height -0\.031 m is more than"):

@@ -145,7 +145,8 @@ def test_a_course_that_ends_in_nothing(tmp_path) -> None:
     assert road.segments(20.0).edges[-1] == 20.0
     assert road.segments(20.0, behind=2.0).edges[-1] == 20.0  # from where the course begins
     with pytest.raises(
-        DescriptionError, match=r"BORDER_MODE_U = 0 says that there is no road; found '0 to 21 m'"
+        DescriptionError,
+        match=r"BORDER_MODE_U = 0 states that there is no road beyond its ends; found '0 to 21 m'",
     ):
         road.segments(21.0)
     with pytest.raises(DescriptionError, match="leaves the course"):

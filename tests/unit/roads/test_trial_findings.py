@@ -41,7 +41,7 @@ def test_a_road_that_ends_before_the_run_does() -> None:
     ((_, text),) = said(Trial(road=FINE, speed=4.0, duration=1.01))
     assert (
         text
-        == "the road ends after 4 m and the run drives 4.04 m; the remainder is level. Shorten the run."
+        == "the road ends after 4 m, but the run covers 4.04 m; the remainder is level. Shorten the run."
     )
     assert (
         said(Trial(road=FINE.model_copy(update={"recurrence": 5.0}), speed=4.0, duration=9.0)) == []

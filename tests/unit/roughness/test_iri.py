@@ -166,7 +166,7 @@ def changed(values: np.ndarray, row: int, value: float) -> np.ndarray:
         (
             X,
             np.where(X > 240.0, np.nan, Z),
-            "not finite numbers, the first at row 962; found 'nan'. Cut the padding off",
+            "not finite numbers, the first at row 962; found 'nan'. Cut off the padding",
         ),
         (
             X,

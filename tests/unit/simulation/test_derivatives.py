@@ -119,8 +119,8 @@ def test_sensitivities_are_the_slopes_of_the_channels():
     [
         (["strut.spring.rat"], {"sprung.az": 1.0}, {}, "strut.spring.rate"),
         ([], {"sprung.az": 1.0}, {}, "at least one"),
-        ("strut.spring.rate", {"sprung.az": 1.0}, {}, "in a list"),
-        (["sprung.mass", "sprung.mass"], {"sprung.az": 1.0}, {}, "each once"),
+        ("strut.spring.rate", {"sprung.az": 1.0}, {}, "a list of"),
+        (["sprung.mass", "sprung.mass"], {"sprung.az": 1.0}, {}, "each only once"),
         (["sprung.mass"], {"sprung.ay": 1.0}, {}, "sprung.az"),
         (["sprung.mass"], {"sprung.az": -1.0}, {}, "0 or more"),
         (["sprung.mass"], {"sprung.az": np.nan}, {}, "0 or more"),

@@ -60,7 +60,7 @@ def test_a_softer_damper_takes_more_loops() -> None:
 @pytest.mark.parametrize(
     ("start", "road", "changes", "what"),
     [
-        ("periodic", jn.HalfSine(height="10 mm", length="60 mm"), {}, "the road does not recur"),
+        ("periodic", jn.HalfSine(height="10 mm", length="60 mm"), {}, "this road does not recur"),
         (-1, BELT, {}, "invalid start"),
         (10_000, BELT, {}, "invalid start"),
         ("soon", BELT, {}, "invalid start"),

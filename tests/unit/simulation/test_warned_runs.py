@@ -26,7 +26,7 @@ def test_a_tyre_of_200_newton_a_metre_is_asked_about(name, path):
     rig = jn.load(name)
     assert not [one for one in rig_findings(rig) if one.severity != "note"]
     (found,) = (
-        one for one in rig_findings(rig.with_changes({path: 200.0})) if "pressed in" in one.message
+        one for one in rig_findings(rig.with_changes({path: 200.0})) if "compressed" in one.message
     )
     assert (found.place, found.severity) == (path.removesuffix(".stiffness"), "warning")
     assert found.value > 1.0  # m

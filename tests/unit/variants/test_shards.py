@@ -232,7 +232,7 @@ def test_what_is_full_keeps_what_is_finished(tmp_path: Path, small, monkeypatch)
     ):
         sweep(tmp_path)
     with pytest.raises(
-        OutputError, match=r"holds a sweep; found '3 of 5 shards'\. Go on with --resume"
+        OutputError, match=r"contains a sweep; found '3 of 5 shards'\. Continue with --resume"
     ):
         sweep(tmp_path)
     assert len(files(tmp_path)) == 3
@@ -324,7 +324,7 @@ def test_a_folder_with_other_things_is_left_alone(tmp_path: Path, small) -> None
         with pytest.raises(OutputError, match="not empty"):
             sweep(tmp_path, resume=resume)
     assert [file.name for file in tmp_path.iterdir()] == ["notes.txt"]
-    with pytest.raises(OutputError, match="holds no sweep"):
+    with pytest.raises(OutputError, match="contains no sweep"):
         jn.load_sweep(tmp_path)
 
 
@@ -360,7 +360,7 @@ def test_a_function_is_no_part_of_a_file(tmp_path: Path) -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="locks of folders are a thing of POSIX")
 def test_two_at_once_on_one_folder(tmp_path: Path, small) -> None:
     sweep(tmp_path)
-    with shards._lock(tmp_path), pytest.raises(OutputError, match="another process works"):
+    with shards._lock(tmp_path), pytest.raises(OutputError, match="another process is working"):
         sweep(tmp_path, resume=True)
 
 
@@ -370,7 +370,7 @@ def test_a_sweep_that_begins_anew_leaves_nothing_of_the_earlier_one(tmp_path: Pa
     work, columns = read_request(
         RIG, TRIAL, jn.sobol({"sprung.mass": "5 %"}, 10), RunSettings(), METRICS, None, None
     )
-    with shards._lock(tmp_path), pytest.raises(OutputError, match="another process works"):
+    with shards._lock(tmp_path), pytest.raises(OutputError, match="another process is working"):
         shards.keep_in_shards(work, columns, tmp_path, force=True)
     assert len(files(tmp_path)) == 6
     found = shards.keep_in_shards(work, columns, tmp_path, force=True)
