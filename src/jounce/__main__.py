@@ -9,8 +9,8 @@ import sys
 def run() -> int:
     """Run the command line of this process; give its exit code.
 
-    What a command loads are hundreds of thousands of small objects, and hardly one of them is garbage: Python looks for
-    it seldom, and not at all when the process ends.
+    A command loads hundreds of thousands of small objects, hardly any of which are garbage. The garbage collector
+    therefore runs rarely, and not at all when the process ends.
     """
     if getattr(sys, "frozen", False):  # workers are this application, started again
         import multiprocessing

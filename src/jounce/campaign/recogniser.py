@@ -148,7 +148,7 @@ def recognise_file(file: Path, settings: Laboratory | None = None) -> Recognised
     try:
         table = read_signals(file, ReaderOptions()).columns
     except JounceError as error:
-        return RecognisedFile(file, "unknown", str(error))
+        return RecognisedFile(file, "unknown", error.message())
     return _of_columns(file, table, settings)
 
 

@@ -247,14 +247,14 @@ OUTPUTS: Mapping[str, OutputKind] = {
     "figures": OutputKind(
         "figure",
         Annotated[
-            Path | None, typer.Option(metavar="DIR", help="Draw everything into this folder.")
+            Path | None, typer.Option(metavar="DIR", help="Draw all figures into this folder.")
         ],
         lambda file, force: check_outputs(folder=file, force=force),
         _figures,
     ),
     "folder": OutputKind(
         "out",
-        _out("Write report, rigs, results, tables and pictures into this folder.", "DIR"),
+        _out("Write the report, rigs, results, tables and figures into this folder.", "DIR"),
         lambda file, force: check_outputs(folder=file, force=force),
         _folder,
     ),

@@ -505,7 +505,9 @@ def _describe_fit(
         )
     except JounceError as error:
         raise FitError(
-            "the points found do not form a valid rig", found=str(error), hint="Narrow the boxes."
+            "the points found do not form a valid rig",
+            found=error.message(),
+            hint="Narrow the boxes.",
         ) from None
     return HardpointFit(
         rig,

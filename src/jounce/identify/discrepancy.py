@@ -1392,7 +1392,7 @@ def _law_estimate(
 
 
 def _one_sided(fit: ModelErrorFit) -> list[Finding]:
-    """Report if a line cannot be the damper's law: the forces found beside it have one sign in bump and rebound.
+    """Report if a line cannot be the damper's law: the residual forces have the same sign in bump and rebound.
 
     Half the sum of the forces at positive and negative velocity is zero for every symmetric law. A line through these
     half sums, weighted by their covariance, gives the amount (N s/m) by which bump is firmer and rebound softer than

@@ -22,9 +22,9 @@ class Estimate(Shown):
     value : float
         The estimate, in the SI unit of the quantity.
     standard_error : float or None
-        Standard deviation of the estimate, same unit; None when the data cannot tell.
+        Standard deviation of the estimate, same unit; None if the data do not determine it.
     interval : (float, float) or None
-        Lower and upper end of the 95 % confidence interval, same unit; None when the data cannot tell.
+        Lower and upper end of the 95 % confidence interval, same unit; None if the data do not determine it.
     """
 
     value: float

@@ -180,8 +180,8 @@ class Posterior(Plain, Shown):
     samples : xarray.Dataset
         Draws with dimensions ``chain`` and ``draw``, SI. Noise only: each parameter, named by its path. With model
         error: ``component of PATH`` and ``effective of PATH``, whose hull is the interval, see
-        :class:`jounce.Discrepancy`. ``richer value of PATH`` is the parameter of the extended model, beside all doubts;
-        it scatters less than component and effective value and is not the value of a part.
+        :class:`jounce.Discrepancy`. ``richer value of PATH`` is the parameter of the extended model, in addition to all
+        doubts; it scatters less than component and effective value and is not the value of a part.
     update : UpdateResult or None
         The update that the posterior starts from.
     findings : tuple of Finding

@@ -247,7 +247,7 @@ def inspect_rig(  # noqa: PLR0913 - each is an option
 ) -> InspectedRig:
     """Simulate a test, evaluate the record like a measured one, and grade it.
 
-    What comes of it is what :func:`jounce.evaluate_inspection` gives for a record that a tester has written.
+    The result has the same form as that of :func:`jounce.evaluate_inspection` for a record of a real tester.
 
     Parameters
     ----------

@@ -1,6 +1,7 @@
-"""Compile in a child process, whose memory, a hundred megabytes and more, is released when it ends.
+"""Compilation in a child process.
 
-A long-running process that compiles repeatedly (a server) does not grow, and stays responsive meanwhile.
+Compiling needs a hundred megabytes and more, which the operating system recovers when the child ends. A server that
+compiles repeatedly therefore does not grow, and it stays responsive while a model is compiled.
 """
 
 from __future__ import annotations

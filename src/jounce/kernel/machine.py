@@ -131,7 +131,7 @@ def levels() -> list[str]:
 
 @cache
 def features() -> dict[str, bool]:
-    """Instruction sets by name with whether code may use them; empty if LLVM does not know the processor."""
+    """Return whether code may use each instruction set, by name; empty if LLVM does not know the processor."""
     available = _instructions()
     return (
         dict.fromkeys(LEVELS[processor()], True)

@@ -407,12 +407,12 @@ class _Block:
 
     @property
     def share(self) -> ca.SX:
-        """Return the block's reduction of the shared speeds' mass."""
+        """Return the contribution of the block to the mass matrix of the shared speeds."""
         result: ca.SX = self._pull.T @ self.react - self._coupling.T @ self.follow
         return result
 
     def pull(self, alone: ca.SX, multipliers: ca.SX) -> ca.SX:
-        """Return the force on the shared speeds by the block's own motion."""
+        """Return the force that the block's own motion exerts on the shared speeds."""
         return self._pull.T @ multipliers - self._coupling.T @ alone
 
 

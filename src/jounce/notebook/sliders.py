@@ -243,7 +243,7 @@ def _widget_class() -> Any:
             try:
                 curves = curves_of(self._run(self.rig()), self._names, self._units)
             except JounceError as error:  # the previous curves are kept, and the reason is shown
-                self.problem = str(error)
+                self.problem = error.message()
             else:
                 self.curves, self.problem = curves, ""
 

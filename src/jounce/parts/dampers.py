@@ -260,7 +260,7 @@ class BilinearDamper(DamperLaw):
         return (rebound + bump * (at.number("bump_coefficient") - rebound)) * at.velocity
 
     def bends(self) -> tuple[float, ...]:
-        """Return zero velocity, between rebound and bump."""
+        """Return the velocity at which rebound changes to bump: zero."""
         return (0.0,)
 
 

@@ -1,4 +1,4 @@
-"""Variables of netCDF files: netCDF-4 (HDF5), and netCDF-3 with its three number widths."""
+"""Variables of netCDF files: netCDF-4 (HDF5), and netCDF-3 in its classic, 64-bit-offset and 64-bit-data variants."""
 
 from __future__ import annotations
 

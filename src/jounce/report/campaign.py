@@ -1,4 +1,4 @@
-"""The report of a bench campaign, section by section, and the files beside it."""
+"""The report of a bench campaign, section by section, and the files that accompany it."""
 
 from __future__ import annotations
 

@@ -106,7 +106,7 @@ def report_campaign(
 ) -> ReportedCampaign:
     """Characterise, update the model, compare every trial with it, and write the report.
 
-    What fails is a finding; everything else is still completed and written.
+    A failed step is reported as a finding; all other results are still computed and written.
 
     Parameters
     ----------

@@ -70,7 +70,7 @@ def road_export_page(export: RoadExport, *, title: str) -> Page:
 
 
 def imported_rig_page(found: ImportedRig, *, title: str) -> Page:
-    """Create a page of an imported file: what it was read as, and which values were estimated."""
+    """Create a page about an imported file: the resulting rig, and the values that were estimated."""
     what = f"{getattr(found.rig, 'model', '')}, {found.rig.source}"
     estimated = f"estimated: {', '.join(found.rig.estimated) or 'nothing'}"
     return _page(title, what, [Paragraph(estimated)], found.advice())

@@ -83,7 +83,7 @@ def measured_ride(
 ) -> MeasuredRide:
     """Compute ride metrics of a measured or simulated record: weighted accelerations, travel, road holding.
 
-    Level and spectrum tell some of what can be wrong: filters, coarse steps, exchanged channels, m/s² called g.
+    Findings report errors that level and spectrum reveal: filters, coarse steps, swapped channels, m/s² given as g.
 
     Parameters
     ----------

@@ -179,15 +179,15 @@ def iri(
 
 
 def base_samples(spacing: float) -> int:
-    """Return the number of sample intervals in a slope's base: 0.25 m over ``spacing`` (m), rounded, at least 1."""
+    """Return the number of sample intervals in the base length of a slope: 0.25 m over ``spacing`` (m), rounded, at least 1."""
     return max(1, math.floor(BASE / spacing + 0.5 + _NEARLY))
 
 
 def rectified_slope(height: Array, spacing: float, run_up: float = RUN_UP) -> Array:
     """Compute the absolute slope difference (m/m) between the masses of the golden car after each step of a profile.
 
-    ``height`` (m) has samples every ``spacing`` (m); the car starts with the mean slope over ``run_up`` (m). There are
-    as many steps as slopes: the number of samples minus that of the base.
+    ``height`` (m) has samples every ``spacing`` (m); the car starts with the mean slope over ``run_up`` (m). The
+    result has one value per slope: the number of samples minus the number of intervals in the base.
     """
     count = base_samples(spacing)
     slope = (height[count:] - height[:-count]) / (count * spacing)

@@ -538,7 +538,7 @@ class VariantStudy:
                 trial = _change(self.trial, changes, _TRIAL)
                 control = _change(self.control, changes, _CONTROL)
             except JounceError as error:
-                yield _TrialGroup(self, self.trial, None, str(error)), rows
+                yield _TrialGroup(self, self.trial, None, error.message()), rows
                 continue
             yield _TrialGroup(self, trial, control), rows
 

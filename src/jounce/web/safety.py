@@ -1,9 +1,9 @@
-"""Access control: requests only from this machine, from the opened page or with the printed token.
+"""Access control: accept only requests from this machine that come from the opened page or carry the printed token.
 
 A foreign page open in the same browser can send requests to this server. It cannot set their ``Host`` and ``Origin``
 headers, and it does not have the token, which the opened page stores and sends in a header. Cookies are not used,
-because browsers would send them to every server of this machine, regardless of port. Content that a browser opens by
-address alone (a report in a frame or tab) has a sealed address that gives access to this content only.
+because browsers would send them to every server of this machine, regardless of port. A report in a frame
+or tab, which a browser opens without headers, has a signed address that gives access to this report only.
 """
 
 from __future__ import annotations

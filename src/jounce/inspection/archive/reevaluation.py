@@ -187,7 +187,7 @@ def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outco
         newest = store.newest_grading(number)
         entry = store.entry(number)
     except RecordingError as error:
-        return _Outcome(number, problem=str(error))
+        return _Outcome(number, problem=error.message())
     before = "" if newest is None else newest.verdict
     try:
         tester = (
@@ -201,7 +201,7 @@ def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outco
         )
         grading = grading_of(inspection.graded)
     except _Lost as error:
-        return _Outcome(number, before, problem=str(error))
+        return _Outcome(number, before, problem=error.args[0])
     except Exception as error:  # noqa: BLE001 - one record must not stop ten thousand
         if is_of_system(error):
             raise resource_error(error, entry.name) from None
@@ -232,7 +232,7 @@ def _signals(
     try:
         content, sidecar = store.content(number)
     except RecordingError as error:
-        raise _Lost(str(error)) from None
+        raise _Lost(error.message()) from None
     return read_entry(replace(entry, content=content, sidecar=sidecar), tester)
 
 
