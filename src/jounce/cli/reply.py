@@ -110,7 +110,7 @@ def print_json(plain: Mapping[str, Any]) -> None:
 
 
 def make_streams_usable() -> None:
-    """Prepare the standard streams: replace closed streams, escape unsupported characters, and use the terminal width."""
+    """Prepare the standard streams: replace closed ones, escape unsupported characters, use the terminal width."""
     for name, mode in (
         ("stdin", "r"),
         ("stdout", "w"),
