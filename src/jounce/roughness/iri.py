@@ -179,7 +179,7 @@ def iri(
 
 
 def base_samples(spacing: float) -> int:
-    """Return the number of sample intervals in the base of a slope: 0.25 m over ``spacing`` (m), rounded, at least 1."""
+    """Return the number of sample intervals in the base of a slope: 0.25 m over ``spacing`` (m), at least 1."""
     return max(1, math.floor(BASE / spacing + 0.5 + _NEARLY))
 
 
