@@ -1,4 +1,4 @@
-"""Threads that share work and wait for more for a while.
+"""Worker threads that share work and stay alive for a while to receive more.
 
 Starting and ending a thread takes as long as a hundred variants of a small model.
 """

@@ -67,7 +67,7 @@ def motion_of(
 ) -> Animation:
     """Select the poses of a sweep or a run for an animation, at most as many as ``most`` allows.
 
-    ``most`` is called with the playing time (s) of the film; the other arguments are those of :func:`jounce.animate`.
+    ``most`` is called with the playing time (s) of the video; the other arguments are those of :func:`jounce.animate`.
     """
     if not (np.isfinite(slow) and slow > 0.0):
         raise DescriptionError("out of range", where="slow", found=slow, allowed="above 0")
