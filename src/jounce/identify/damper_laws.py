@@ -235,7 +235,7 @@ def _with_offset(law: FittedLaw, motion: DamperMotion, friction: bool) -> Fitted
 
 
 def _weights(law: FittedLaw, columns: Array, force: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """Return the best factors of the columns, clipped at zero where they must not be negative, and a mask of free ones."""
+    """Return the best factors of the columns, with negative ones clipped at zero, and a mask of free ones."""
     free = np.ones(columns.shape[1], bool)
     scale = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
     factors = np.zeros(columns.shape[1])
