@@ -15,6 +15,7 @@ import subprocess
 import sys
 import threading
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
@@ -29,7 +30,7 @@ from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.remembered import Recent
 from jounce.parts import library
 from jounce.variants.shards import SCHEMA
-from jounce.web import forms, serve, serving
+from jounce.web import answers, forms, serve, serving, sweeps
 from jounce.web.assets import assets
 from jounce.web.project import Project
 from jounce.web.safety import HEADERS
@@ -64,7 +65,8 @@ class Asked:
         start = 4 + int.from_bytes(got[:4], "little")
         content = json.loads(got[4:start])
         return content, [
-            np.frombuffer(got, "<f8", one["n"], start + one["at"]) for one in content["arrays"]
+            np.frombuffer(got, f"<{one['form']}", one["n"], start + one["at"])
+            for one in content["arrays"]
         ]
 
     def __call__(
@@ -206,6 +208,24 @@ def test_scripts_are_compressed_for_those_who_can_read_them(ask):
     assert gzip.decompress(body) == whole
     assert len(body) < 0.6 * len(whole)
     assert ask("GET", "/main-AAAAAAAA.js", Authorization=None)[0] == 401
+
+
+def test_a_step_of_a_slider_computes_only_the_changed_rig(tmp_path, monkeypatch):
+    (tmp_path / "a.toml").write_text(KART)
+    project, computed, run = Project(tmp_path), [], sweeps._run
+    monkeypatch.setattr(sweeps, "_run", lambda rig, asked: computed.append(rig) or run(rig, asked))
+    asked = sweeps.Question("a.toml", {}, "-10 mm : 10 mm : 5 mm", against="kart-double-wishbone")
+    path = "hardpoints.tie_rod_inner[2]"
+    height = answers.rig_of(project, "a.toml").parameters()[path]
+    for step in range(1, 5):
+        changes = {path: height + 1e-3 * step}
+        values = replace(asked, changes=changes)
+        curves = sweeps.swept(project, values).viewer.scenes[0].panes
+        assert len(curves[0].curves) == 3
+    assert [rig.parameters()[path] == height for rig in computed] == [False, True, *[False] * 3]
+    assert answers.rig_of(project, "a.toml") is answers.rig_of(project, "a.toml")
+    (tmp_path / "a.toml").write_text(KART.replace('camber = "0 deg"', 'camber = "1 deg"'))
+    assert answers.rig_of(project, "a.toml").parameters()["wheel.camber"] > 0.01
 
 
 OUTSIDE = ["../secret.toml", "/etc/hostname", "a/../../secret.toml", "link.toml", "linked/secret.toml", "..", "", ".",
@@ -1130,7 +1150,7 @@ def test_a_server_loads_in_its_first_pauses_what_first_answers_would_wait_for(
     monkeypatch.setattr(serving, "_PAUSE", 0.01)
     monkeypatch.setattr(serving, "_IDLE", 10.0)
     monkeypatch.setattr(serving, "_BUSY", 0.0)
-    assert [importlib.util.find_spec(name) for name in serving._LATER]
+    assert all(importlib.util.find_spec(name) for name in serving._LATER)
     monkeypatch.setattr(serving, "_LATER", ("needed_by_an_answer",))
     given_back = threading.Event()
     with serving._within_bounds(given_back.set):

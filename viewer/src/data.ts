@@ -76,6 +76,7 @@ interface Packed {
   low: number;
   step: number;
   even?: [number, number];
+  form?: "f4" | "f8"; // of an answer, bits of a number: 32 or 64
 }
 interface Content {
   viewers: Model[];
@@ -90,12 +91,12 @@ interface Straight {
   contact: number;
 }
 
-export type Numbers = Float64Array | (number | null)[];
+export type Numbers = Float64Array | Float32Array | (number | null)[];
 
 /** All arrays of a page: sixteen bits a number, as differences in two planes of bytes, deflated; or an answer's, as they are. */
 export class Store {
   private readonly made: (Numbers | undefined)[] = [];
-  private straight: ((index: number) => Float64Array) | null = null;
+  private straight: ((index: number) => Float64Array | Float32Array) | null = null;
   private constructor(
     readonly content: Content,
     private readonly bytes: Uint8Array,
@@ -119,8 +120,10 @@ export class Store {
       new TextDecoder().decode(new Uint8Array(buffer, 4, length)),
     ) as Content;
     const store = new Store(content, new Uint8Array(0));
-    store.straight = (index) =>
-      new Float64Array(buffer, start + content.arrays[index]!.at, content.arrays[index]!.n);
+    store.straight = (index) => {
+      const { n, at, form } = content.arrays[index]!;
+      return new (form === "f4" ? Float32Array : Float64Array)(buffer, start + at, n);
+    };
     const rows = (index: number) => {
       const flat = store.straight!(index);
       return Array.from({ length: flat.length / 3 }, (_, i) => flat.subarray(3 * i, 3 * i + 3));
@@ -162,7 +165,7 @@ export class Store {
 }
 
 /** Replaces unknown values by null, for plotting. */
-function withGaps(found: Float64Array): Numbers {
+function withGaps(found: Float64Array | Float32Array): Numbers {
   return found.some(Number.isNaN)
     ? Array.from(found, (one) => (Number.isNaN(one) ? null : one))
     : found;

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import re
+import sys
 from pathlib import Path
 from types import ModuleType
 
@@ -22,6 +23,10 @@ def require(module: str, extra: str) -> ModuleType:
     >>> require("json", "io").dumps([1])
     '[1]'
     """
+    package = module.partition(".")[0]
+    if package in _HIDDEN:
+        _HIDDEN.remove(package)
+        del sys.modules[package]
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
@@ -33,6 +38,22 @@ def require(module: str, extra: str) -> ModuleType:
                 "Install the package with: {how_to_install}", how_to_install=how_to_install(extra)
             ),
         ) from None
+
+
+def hide_from_others(*modules: str) -> None:
+    """Let packages that use a module only if it is installed go without it; :func:`require` still imports it.
+
+    >>> hide_from_others("xmlrpc")
+    >>> sys.modules["xmlrpc"], require("xmlrpc", "io").__name__
+    (None, 'xmlrpc')
+    """
+    for module in modules:
+        if module not in sys.modules:
+            sys.modules[module] = None  # type: ignore[assignment]  # the import system's sign for it
+            _HIDDEN.add(module)
+
+
+_HIDDEN: set[str] = set()
 
 
 def how_to_install(extra: str) -> str:

@@ -270,13 +270,18 @@ class Straight:
     parts: list[bytes] = field(default_factory=list)
     length: int = 0
 
-    def add(self, values: Array) -> int:
-        """Add an array, shape (n,) or (n, 3); return its index."""
-        content = np.ascontiguousarray(values, "<f8").tobytes()
-        self.arrays.append({"n": values.size, "at": self.length})
+    def add(self, values: Array, form: str = "f8") -> int:
+        """Add an array, shape (n,) or (n, 3), in 64 or (``"f4"``) 32 bits a number; return its index."""
+        content = np.ascontiguousarray(values, f"<{form}").tobytes()
+        content += bytes(-len(content) % 8)
+        self.arrays.append({"n": values.size, "at": self.length, "form": form})
         self.parts.append(content)
         self.length += len(content)
         return len(self.arrays) - 1
+
+    def add_places(self, values: Array) -> int:
+        """Add the places of a mechanism that is drawn: 32 bits are finer than a screen."""
+        return self.add(values, "f4")
 
 
 def live_data(viewers: Sequence[Viewer]) -> dict[str, Any]:
@@ -307,7 +312,7 @@ def _content(viewers: Sequence[Viewer], packed: PageArrays | Straight) -> dict[s
             return None
         if id(shown_motion.mechanism) not in mechanisms:
             whole = mechanism_data(
-                shown_motion.mechanism, packed.add if isinstance(packed, Straight) else None
+                shown_motion.mechanism, packed.add_places if isinstance(packed, Straight) else None
             )
             mechanisms[id(shown_motion.mechanism)] = len(mechanisms), whole
         index, _ = mechanisms[id(shown_motion.mechanism)]

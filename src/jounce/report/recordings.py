@@ -269,7 +269,7 @@ def _axis_unit(data: xr.Dataset, axis: str) -> DisplayUnit:
 def _unit(named: Mapping[str, xr.Dataset], name: str) -> DisplayUnit:
     held = [data.variables[name] for data in named.values() if name in data]
     largest = max(
-        float(np.nanmax(np.abs(values.to_numpy().astype(float)), initial=0.0)) for values in held
+        float(np.nanmax(np.abs(np.asarray(values.values, float)), initial=0.0)) for values in held
     )
     return display_unit(
         str(held[0].attrs.get("units", "1")), largest if np.isfinite(largest) else 0.0

@@ -19,7 +19,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from jounce.core.errors import DescriptionError, OutputError
-from jounce.core.optional import require
+from jounce.core.optional import hide_from_others, require
 from jounce.core.remembered import Recent
 
 
@@ -57,6 +57,7 @@ def serve(
             where=str(folder),
             hint="Create the folder, or name the folder that contains your files.",
         )
+    hide_from_others(*_UNUSED)
     uvicorn = require("uvicorn", "web")
     from jounce.kernel.apart import compiling_apart
     from jounce.web.app import create_app
@@ -118,13 +119,9 @@ _IDLE, _BUSY = (
     0.05,
     1.0,
 )  # s of processor time: maximum in a pause, and minimum since the last garbage collection
-_LATER = (
-    "scipy.signal",
-    "h5netcdf",
-    "jounce.operations.checks",
-    "jounce.variants.study",
-    "jounce.design.kinematic_targets",
-)
+_UNUSED = ("dask", "pyarrow")
+"""Packages that pandas and xarray import if they are installed: 60 MB, of which no answer of the server needs any."""
+_LATER = ("xarray", "h5netcdf", "jounce.operations.checks", "jounce.variants.study")
 
 
 @contextlib.contextmanager
@@ -150,7 +147,7 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
 
 
 def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
-    """Import modules that the first spectrum, recording, saved file, study and target need; then collect garbage."""
+    """Import modules that the first run, recording, saved file and study need; then collect garbage."""
     later = iter(_LATER)
     before = collected = time.process_time()
     while not ended.wait(_PAUSE):

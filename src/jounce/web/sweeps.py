@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -15,10 +16,11 @@ from jounce.core.units import to_si
 from jounce.operations.index import operations
 from jounce.operations.request import Request
 from jounce.web.answers import (
-    ONE,
     Changes,
     CurvesAnswer,
+    cached_run,
     digest_of,
+    key_of,
     rig_of,
     variants,
     word,
@@ -75,8 +77,11 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
     rigs = variants(project, asked.rig, asked.changes, asked.text)
     if asked.against:
         rigs[asked.against] = rig_of(project, asked.against)
-    with ONE:
-        runs = {label: _run(rig, asked) for label, rig in rigs.items()}
+    way = f"{asked.over} {asked.travel} {asked.rack} {asked.roll}"
+    runs = {
+        label: cached_run(f"{way} {key_of(rig)}", partial(_run, rig, asked))
+        for label, rig in rigs.items()
+    }
     first = next(iter(rigs.values()))
     viewer = curve_viewer({"": runs}, list(asked.channels) or None, rig=first)
     wanted = [*_study_targets(project, asked.study), *asked.targets]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import sys
 from importlib import metadata
@@ -9,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from jounce.core.optional import MissingPackageError, how_to_install, require
+from jounce.core.optional import MissingPackageError, hide_from_others, how_to_install, require
 
 NEEDED = ["numpy>=1.26", "typst>=0.13; extra == 'pdf'", "sqlalchemy>=2.0; extra == 'store'",
           "psycopg[binary]>=3.2; extra == 'postgresql'", "sqlalchemy>=2.0; extra == \"postgresql\""]  # fmt: skip
@@ -76,3 +77,14 @@ def test_the_error_says_it(monkeypatch: pytest.MonkeyPatch) -> None:
         match=r"'typst' is not installed\. Install the package with: pip install 'typst>=0.13'",
     ):
         require("typst", "pdf")
+
+
+def test_a_hidden_package_is_missing_for_others_and_is_there_on_request(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.delitem(sys.modules, "wave", raising=False)
+    hide_from_others("wave", "json")
+    with pytest.raises(ModuleNotFoundError):
+        importlib.import_module("wave")
+    assert require("wave", "io").__name__ == "wave"
+    assert importlib.import_module("json").dumps([1]) == "[1]"  # what is in use stays

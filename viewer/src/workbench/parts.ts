@@ -404,9 +404,9 @@ export class Live {
     this.busy = true;
     const began = performance.now();
     const waiting = setTimeout(() => {
-      this.state.textContent = tr(
-        "computing; the first run compiles the model, which takes a few seconds",
-      );
+      this.state.textContent = this.player
+        ? tr("computing …")
+        : tr("computing; the first run compiles the model, which takes a few seconds");
     }, 500);
     try {
       const store = inWords(Store.of(await this.question(this.player?.shown ?? pinnedCurves())));

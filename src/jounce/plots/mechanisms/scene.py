@@ -385,7 +385,7 @@ def poses_of(rig: Corner, scene: Scene, data: xr.Dataset) -> Poses:
     in_time = dimension == "time"
     points = _tracks(rig, scene, data, dimension, in_time=in_time)
     series = {
-        str(name): v.to_numpy().astype(float)
+        str(name): np.asarray(v.values, float)
         for name, v in data.variables.items()
         if v.dims == (dimension,)
     }
