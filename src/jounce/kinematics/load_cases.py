@@ -483,7 +483,7 @@ def load_case_table(loads: xr.Dataset, quantities: Sequence[str] | None = None) 
     """
     if not {"case", "wheel"} <= set(loads.coords):
         raise DescriptionError(
-            "no load cases", where="found", allowed="the result of jn.load_cases(...)"
+            "no load cases", where="loads", allowed="the result of jn.load_cases(...)"
         )
     names = list(map(str, quantities or loads.data_vars))
     for name in names:

@@ -98,7 +98,7 @@ def decay_page(
     Parameters
     ----------
     fit : DecayResult or CombinedDecay
-        Result of :func:`jounce.fit_decay` or :func:`jounce.combine_decays`.
+        Result of :func:`jounce.fit_decay`, or of :func:`jounce.fit_measured_decays` for several.
     decays : mapping of str to (DecayResult, ndarray, ndarray)
         Individual decays by name, each with its time (s) and record (SI), shape (n,).
     findings : sequence of Finding
