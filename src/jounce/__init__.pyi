@@ -167,6 +167,8 @@ from .parts import Rig as Rig
 from .parts import Vehicle as Vehicle
 from .parts import load as load
 from .parts import save as save
+from .parts.differences import DescriptionDifferences as DescriptionDifferences
+from .parts.differences import compare_descriptions as compare_descriptions
 from .parts.importers import ChronoCorner as ChronoCorner
 from .parts.importers import import_adams as import_adams
 from .parts.importers import import_chrono as import_chrono

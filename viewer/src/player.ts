@@ -1,6 +1,7 @@
 /** Curves and mechanism of one of several scenes, played in step. */
 
 import { at, type Model, type Pane, type Scene, type Store } from "./data";
+import { inStyle } from "./lines";
 import { MechanismView } from "./mechanism";
 import { make, toggle, whenColoursChange, whenLeft, written } from "./page";
 import { LinkedPlots } from "./plots";
@@ -267,10 +268,15 @@ export class Player {
   private offerRoles(model: Model): void {
     const buttons = model.roles.map(({ role, label, shown }) => {
       if (!this.roles.has(role)) this.roles.set(role, shown);
-      const button = toggle(label, this.roles.get(role)!, (on) => {
-        this.roles.set(role, on);
-        this.plots.setShown(role, on);
-      });
+      const button = toggle(
+        label,
+        this.roles.get(role)!,
+        (on) => {
+          this.roles.set(role, on);
+          this.plots.setShown(role, on);
+        },
+        model.roles.length > 1 ? inStyle(label, role) : "",
+      );
       button.prepend(make("i", { class: `swatch ${role}` }));
       return button;
     });

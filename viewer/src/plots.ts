@@ -2,6 +2,7 @@
 
 import uPlot from "uplot";
 import { at, type Numbers } from "./data";
+import { drawingOrder, lineStyle } from "./lines";
 import { colour, isFast, make, whenLeft, writtenTo } from "./page";
 import { type Offer, offerChart, type ShownChart } from "./shown";
 import { localised } from "./words";
@@ -29,11 +30,8 @@ export interface Plotted {
 }
 
 const AXIS = 62;
-const STYLES: Record<string, { width: number; dash?: number[] }> = {
-  measured: { width: 2 },
-  before: { width: 1.25, dash: [5, 3] },
-  after: { width: 1.25 },
-};
+/** Index of a curve among the series of its plot, of which the first is the axis. */
+const seriesOf = (lines: Line[], line: Line) => drawingOrder(lines).indexOf(line) + 1;
 
 let count = 0;
 
@@ -95,10 +93,11 @@ export class LinkedPlots {
     this.range = keep ?? plotted.window ?? [x[0] as number, x[x.length - 1] as number];
     plotted.panes.forEach((pane, k) => {
       const plot = this.plots[k]!;
-      pane.lines.forEach((line, i) => {
-        if (plot.series[i + 1]!.show !== line.shown) plot.setSeries(i + 1, { show: line.shown });
-      });
-      plot.setData([x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData);
+      for (const line of pane.lines) {
+        const place = seriesOf(pane.lines, line);
+        if (plot.series[place]!.show !== line.shown) plot.setSeries(place, { show: line.shown });
+      }
+      plot.setData([x, ...drawingOrder(pane.lines).map((line) => line.y)] as uPlot.AlignedData);
     });
     this.mark(this.place);
     this.zoomed(this.range);
@@ -169,10 +168,10 @@ export class LinkedPlots {
 
   setShown(role: string, shown: boolean): void {
     this.shown?.panes.forEach((pane, k) =>
-      pane.lines.forEach((line, i) => {
+      pane.lines.forEach((line) => {
         if (line.role === role) {
           line.shown = shown;
-          this.plots[k]!.setSeries(i + 1, { show: shown });
+          this.plots[k]!.setSeries(seriesOf(pane.lines, line), { show: shown });
         }
       }),
     );
@@ -282,15 +281,16 @@ export class LinkedPlots {
             ],
             series: [
               {},
-              ...pane.lines.map((line) => {
-                const style = STYLES[line.role] ?? { width: 1.25 };
+              ...drawingOrder(pane.lines).map((line) => {
+                const { width, dash } = lineStyle(line.role);
                 return {
                   label: line.label,
                   stroke: colour(line.role),
                   points: { show: false },
                   show: line.shown,
                   pxAlign: 0,
-                  ...style,
+                  width,
+                  dash,
                 };
               }),
             ],
@@ -336,7 +336,7 @@ export class LinkedPlots {
               ],
             },
           } as uPlot.Options,
-          [plotted.x, ...pane.lines.map((line) => line.y)] as uPlot.AlignedData,
+          [plotted.x, ...drawingOrder(pane.lines).map((line) => line.y)] as uPlot.AlignedData,
           holder,
         ),
     );

@@ -13,7 +13,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.plots.display import words_of
 from jounce.plots.figures import PALETTE, in_style, legend_outside, new_figure
-from jounce.plots.signals import MOST_COLUMNS
+from jounce.plots.signals import MOST_COLUMNS, PREFERRED, preferred_channels
 from jounce.plots.thinning import thin
 
 if TYPE_CHECKING:
@@ -21,17 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-_PREFERRED = (
-    "road.z",
-    "sprung.az",
-    "unsprung.az",
-    "strut.deflection",
-    "tyre.force",
-    "camber",
-    "toe",
-    "motion_ratio",
-)
-_MOST_BY_DEFAULT = 4
+_PREFERRED = (*PREFERRED, ("camber",), ("toe",), ("motion_ratio",))
+_LEAST_BY_DEFAULT = 4
 
 
 @in_style
@@ -49,7 +40,7 @@ def compare(
         Runs by their names in the legend; a sequence is numbered. All must have the same axis: ``time`` (s), or the
         swept quantity.
     channels : sequence of str, optional
-        Channels to draw, from top to bottom; by default up to four that all runs have.
+        Channels to draw, from top to bottom; by default usual ones, at all axles, that all runs have.
     differences : bool
         Whether to draw, below each channel, the differences of the other runs from the first one, where both are known;
         samples are interpolated linearly.
@@ -157,9 +148,7 @@ def common_axis(runs: Mapping[str, xr.Dataset]) -> str:
     return next(iter(axis_of.values()))
 
 
-def common_channels(
-    runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None, most: int = _MOST_BY_DEFAULT
-) -> list[str]:
+def common_channels(runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None) -> list[str]:
     """Return the channels to draw, which all runs must have."""
     axis = common_axis(runs)
     held = [
@@ -184,7 +173,16 @@ def common_channels(
             where="compare",
             found="; ".join(map(", ".join, held)),
         )
-    return ([name for name in _PREFERRED if name in present] or present)[:most]
+    varying = [name for name in present if any(_varies(data[name]) for data in runs.values())]
+    return (
+        preferred_channels(present, _PREFERRED, _LEAST_BY_DEFAULT)
+        or (varying or present)[:_LEAST_BY_DEFAULT]
+    )
+
+
+def _varies(channel: xr.DataArray) -> bool:
+    values = channel.to_numpy()
+    return values.dtype.kind in "fiu" and values.size > 0 and bool(np.ptp(values) > 0.0)
 
 
 def line_of(data: xr.Dataset, name: str, axis: str) -> tuple[Array, Array]:

@@ -41,9 +41,37 @@ if TYPE_CHECKING:
 
 MOST_COLUMNS = 4000
 """Number of columns, more than any printed figure resolves; in longer records each column keeps its peaks."""
-_PREFERRED = ("road.z", "sprung.az", "unsprung.az", "strut.deflection", "tyre.force")
+PREFERRED = (
+    ("road.z",),
+    ("body.az", "sprung.az"),
+    ("unsprung.az",),
+    ("strut.deflection",),
+    ("tyre.force",),
+)
+"""Quantities shown by default, each with its alternatives."""
 _MOST_BY_DEFAULT = 6
 _NO_CONTACT = "#f2c6b5"
+
+
+def preferred_channels(
+    present: Sequence[str], quantities: Sequence[Sequence[str]], least: int
+) -> list[str]:
+    """Return the channels of some quantities at all axles and corners: whole groups, until there are enough.
+
+    Of the alternatives of a quantity, the first that is present counts. The road is shown at its first place.
+
+    >>> names = ["front.road.z", "rear.road.z", "body.az", "front.tyre.force", "rear.tyre.force"]
+    >>> preferred_channels(names, PREFERRED, 4)
+    ['front.road.z', 'body.az', 'front.tyre.force', 'rear.tyre.force']
+    """
+    chosen: list[str] = []
+    for ends in quantities:
+        groups = ([c for c in present if c == end or c.endswith(f".{end}")] for end in ends)
+        group = next((names for names in groups if names), [])
+        chosen += group[:1] if "road.z" in ends else group
+        if len(chosen) >= least:
+            break
+    return chosen
 
 
 @in_style
@@ -108,7 +136,8 @@ def time_history(run: xr.Dataset, channels: Sequence[str] | None = None) -> Figu
 def _choose_channels(run: xr.Dataset, channels: Sequence[str] | None) -> list[str]:
     present = [str(name) for name in run.data_vars if run[name].dims == ("time",)]
     if channels is None:
-        channels = [name for name in _PREFERRED if name in present] or present[:_MOST_BY_DEFAULT]
+        channels = preferred_channels(present, PREFERRED, _MOST_BY_DEFAULT - 1)
+        channels = channels or present[:_MOST_BY_DEFAULT]
     if not channels:
         raise RecordingError(
             "no time-dependent channel to draw",

@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from jounce.ride.study import RideStudy
 
 _FIRST = (("road.z",), ("body.az", "sprung.az"), ("strut.deflection",), ("tyre.force",))
-"""Quantities shown initially: for each group the first that the rides contain, at any position."""
+"""Quantities shown initially, at all axles and corners."""
+_MOST_PLACES = 4  # corners of a car
 _SHOWN = 10.0  # s of a long ride shown initially
 
 
@@ -207,11 +208,10 @@ def _findings(study: RideStudy) -> list[Finding]:
 
 def _curves(study: RideStudy, title: str, rig: Rig | None) -> tuple[Block, ...]:
     runs = {ride.control: ride.run for ride in study.rides}
+    from jounce.plots.signals import preferred_channels
     from jounce.report.recordings import curve_blocks
 
-    held = _names(study)
-    groups = [[name for end in ends for name in held if name.endswith(end)] for ends in _FIRST]
-    first = [names[0] for names in groups if names]
+    first = preferred_channels(_names(study), _FIRST, len(_FIRST) * _MOST_PLACES)
     start = study.trial.settling
     window = (start, start + _SHOWN) if study.trial.trial.duration > start + _SHOWN else None
     return curve_blocks(

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections import OrderedDict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from tomllib import TOMLDecodeError
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import tomlkit
+from pydantic import BeforeValidator, Field
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
@@ -24,15 +26,25 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from jounce.parts import Rig
+    from jounce.parts.differences import DescriptionDifferences
     from jounce.report.live import Viewer
     from jounce.roads import Trial
 
 Changes = Mapping[str, float | str]
+
+
+def _listed(given: Any) -> Any:
+    return ([given] if given else []) if isinstance(given, str) else given
+
+
+Others = Annotated[list[str], BeforeValidator(_listed), Field(max_length=5)]
+"""What to compare with, or a single name: rigs, earlier versions, shipped rigs; of a trial also saved runs."""
 ONE = (
     threading.Lock()
 )  # a run takes milliseconds: requests are serialised, and nothing is compiled twice
+MOST = 7  # curves to compare: as many as there are colours and line styles
 _MOST_DONE, _LARGEST_DONE = (
-    4,
+    MOST + 1,
     50_000_000,
 )  # cached runs, and bytes of those beyond the two being compared
 _STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; maximum samples of an interactive run
@@ -130,6 +142,18 @@ def describe_rig(rig: Rig, name: str) -> dict[str, Any]:
     }
 
 
+@dataclass(frozen=True)
+class Beside:
+    """What is shown beside a run: rigs over the same obstacle and saved runs, and a recording that begins later.
+
+    ``measured`` is a recording of the project, with the time origin of the trial at ``begins``.
+    """
+
+    against: Sequence[str] = ()
+    measured: str = ""
+    begins: str = ""
+
+
 def simulate_changes(
     project: Project,
     name: str,
@@ -138,23 +162,28 @@ def simulate_changes(
     channels: Sequence[str] | None,
     *,
     text: str | None = None,
-    measured: str = "",
-    begins: str = "",
+    beside: Beside | None = None,
     spectra: bool = False,
     numbers: Sequence[str] | None = None,
 ) -> CurvesAnswer:
     """Run a rig over an obstacle, unchanged and changed; return curves and equivalent code.
 
-    A ``measured`` recording of the project is included, with its time origin at ``begins``. With ``spectra``, spectra
-    replace the curves over time. With ``numbers``, only these channels and the initial ones contain curves.
+    With ``spectra``, spectra replace the curves over time. With ``numbers``, only these channels and the initial ones
+    contain curves.
     """
     on = trial_of(project, trial)
-    rigs = variants(project, name, changes, text)
+    beside = beside or Beside()
+    saved = [path for path in beside.against if path.endswith(".nc")]
+    rigs = variants(project, name, changes, text, [n for n in beside.against if n not in saved])
     runs = {label: _run(rig, on) for label, rig in rigs.items()}
+    for path in saved:
+        runs[path] = _measured_part(project, path, "", on)
+    measured = beside.measured
     if measured:
-        runs[measured] = _measured_part(project, measured, begins, on)
+        runs[measured] = _measured_part(project, measured, beside.begins, on)
     equivalents = {
         "digest": digest_of(rigs["as it is"]),
+        "differences": differences_of(rigs),
         **_equivalents_of(name, changes, trial, measured),
     }
     if spectra:
@@ -262,9 +291,13 @@ def _equivalents_of(
 
 
 def variants(
-    project: Project, name: str, changes: Changes, text: str | None = None
+    project: Project,
+    name: str,
+    changes: Changes,
+    text: str | None = None,
+    against: Sequence[str] = (),
 ) -> dict[str, Rig]:
-    """Return the rig as edited in text and sliders, then the saved rig if different."""
+    """Return the rig as edited in text and sliders, the saved rig if different, and rigs to compare with."""
     rig = rig_of(project, name) if text is None else rig_in(project, name, text)
     saved = rig
     if text is not None:
@@ -273,7 +306,45 @@ def variants(
         except JounceError:  # the saved file is invalid, but the edited rig can be shown
             saved = rig
     changed = rig.with_changes(dict(changes)) if changes else rig
-    return {"as it is": saved} if changed == saved else {"changed": changed, "as it is": saved}
+    rigs = {"as it is": saved} if changed == saved else {"changed": changed, "as it is": saved}
+    for other in dict.fromkeys(against):
+        label = name = label_of(other)
+        count = 1
+        while label in rigs:  # replaced within the same second
+            count += 1
+            label = f"{name} ({count})"
+        rigs[label] = rig_of(project, other)
+    return rigs
+
+
+def label_of(name: str) -> str:
+    """Return a name for people: of an earlier version, its file and when it was replaced (local time).
+
+    >>> label_of("front.toml")
+    'front.toml'
+    """
+    path, _, version = name.rpartition("@")
+    moment = version.partition("-")[0]
+    if not path or not moment.isdecimal():
+        return name
+    replaced = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(int(moment) / 1000.0))
+    return f"{path}, replaced {replaced}"
+
+
+def differences_of(rigs: Mapping[str, Rig]) -> dict[str, Any] | None:
+    """Return what differs between rigs as cells of a table; ``None`` for a single rig."""
+    from jounce.parts.differences import compare_descriptions
+
+    return None if len(rigs) < 2 else cells_of(compare_descriptions(rigs))
+
+
+def cells_of(listed: DescriptionDifferences) -> dict[str, Any]:
+    """Return differences as names and rows of texts: path, unit, then a value per description."""
+    rows = []
+    for row in listed.rows:
+        values, unit = row.cells()
+        rows.append([row.path, unit, *values])
+    return {"names": list(listed.names), "rows": rows}
 
 
 def _curves(

@@ -20,7 +20,7 @@ from jounce.core.optional import require
 from jounce.core.phrases import german_of
 from jounce.core.serialise import to_plain
 from jounce.core.units import Unit
-from jounce.web import answers, forms, sweeps
+from jounce.web import answers, comparing, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.assets import Asset, assets
 from jounce.web.bodies import Route
@@ -112,6 +112,7 @@ class RunRequest(Changed):
     numbers: list[str] | None = Field(default=None, max_length=400)
     measured: str = ""
     begins: str = ""
+    against: answers.Others = Field(default_factory=list)
     spectra: bool = False
 
 
@@ -125,21 +126,27 @@ class Keep(RunRequest):
 class OverlayRequest(_Asked):
     """Recordings of the project to be overlaid."""
 
-    paths: list[str] = Field(min_length=1, max_length=6)
+    paths: list[str] = Field(min_length=1, max_length=answers.MOST)
     channels: list[str] = Field(default_factory=list, max_length=60)
+
+
+class CompareRequest(_Asked):
+    """Rigs, vehicles, campaigns or saved runs whose differences are listed."""
+
+    names: list[str] = Field(min_length=2, max_length=20)
 
 
 class SweepRequest(Changed):
     """A sweep over wheel travel, rack or roll: a range first:last:step for one, single values for others; with units.
 
-    ``against`` is a rig for comparison; ``targets`` have the keys of a study, ``study`` is a study file.
+    ``against`` are rigs for comparison; ``targets`` have the keys of a study, ``study`` is a study file.
     """
 
     travel: str = ""
     over: Literal["travel", "rack", "roll"] = "travel"
     rack: str = ""
     roll: str = ""
-    against: str = ""
+    against: answers.Others = Field(default_factory=list)
     targets: list[dict[str, Any]] = Field(default_factory=list, max_length=60)
     study: str = ""
 
@@ -316,9 +323,11 @@ def create_app(
     def simulate(asked: RunRequest, request: Request) -> Response:
         """Return a run as curves of the viewer, compared with the unchanged rig, with equivalent code and command."""
         trial = {"road": asked.road, "speed": asked.speed, "duration": asked.duration}
-        shown = answers.simulate_changes(project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
-                                  measured=asked.measured, begins=asked.begins, spectra=asked.spectra,
-                                  numbers=asked.numbers)  # fmt: skip
+        beside = answers.Beside(asked.against, asked.measured, asked.begins)
+        shown = answers.simulate_changes(
+            project, asked.rig, asked.changes, trial, asked.channels, text=asked.text,
+            beside=beside, spectra=asked.spectra, numbers=asked.numbers,
+        )  # fmt: skip
         return _curves_response(shown, request)
 
     @app.post("/api/keep")
@@ -338,6 +347,11 @@ def create_app(
         return _curves_response(
             history.compare_recordings(project, asked.paths, asked.channels), request
         )
+
+    @app.post("/api/differences")
+    def differences(asked: CompareRequest) -> dict[str, Any]:
+        """List what differs between rigs, vehicles, campaigns or saved runs, with units."""
+        return comparing.compare_files(project, asked.names)
 
     @app.post(EXPORT)
     def export(asked: Exported) -> Response:

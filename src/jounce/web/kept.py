@@ -20,6 +20,7 @@ from typing import Any
 from pydantic import BaseModel, FiniteFloat
 
 from jounce.core.commands import command_line
+from jounce.core.description import Description
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.locking import holding
 from jounce.core.serialise import to_json
@@ -86,8 +87,8 @@ def keep(
         "trial": dict(trial),
         "seed": trial["road"].get("seed"),
         "version": metadata.version("jounce"),
-        "rig_digest": _digest(rig.model_dump(mode="json", by_alias=True)),
-        "trial_digest": _digest(on.model_dump(mode="json", by_alias=True)),
+        "rig_digest": digest_of_inputs(rig),
+        "trial_digest": digest_of_inputs(on),
         "when": time.time(),
     }
     run.attrs |= {
@@ -162,5 +163,7 @@ def compare_recordings(
     )
 
 
-def _digest(plain: Any) -> str:
+def digest_of_inputs(description: Description) -> str:
+    """Return the digest by which a run names its rig and its trial."""
+    plain = description.model_dump(mode="json", by_alias=True)
     return sha256(json.dumps(plain, sort_keys=True).encode()).hexdigest()

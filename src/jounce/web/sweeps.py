@@ -19,9 +19,9 @@ from jounce.web.answers import (
     Changes,
     CurvesAnswer,
     cached_run,
+    differences_of,
     digest_of,
     key_of,
-    rig_of,
     variants,
     word,
 )
@@ -42,7 +42,7 @@ _MOST = 400  # maximum poses of an interactive sweep
 class Question:
     """A sweep of ``rig`` over travel, rack or roll: a range for one of them, single values for the others.
 
-    ``text`` is the rig's unsaved text, ``against`` a rig for comparison; ``targets`` have the keys of a study,
+    ``text`` is the rig's unsaved text, ``against`` are rigs for comparison; ``targets`` have the keys of a study,
     ``study`` is a study file.
     """
 
@@ -53,7 +53,7 @@ class Question:
     rack: str = ""
     roll: str = ""
     text: str | None = None
-    against: str = ""
+    against: Sequence[str] = ()
     channels: Sequence[str] = ()
     targets: Sequence[Mapping[str, Any]] = field(default=())
     study: str = ""
@@ -74,9 +74,7 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
             found=count,
             allowed=f"{_MOST}",
         )
-    rigs = variants(project, asked.rig, asked.changes, asked.text)
-    if asked.against:
-        rigs[asked.against] = rig_of(project, asked.against)
+    rigs = variants(project, asked.rig, asked.changes, asked.text, asked.against)
     way = f"{asked.over} {asked.travel} {asked.rack} {asked.roll}"
     runs = {
         label: cached_run(f"{way} {key_of(rig)}", partial(_run, rig, asked))
@@ -88,6 +86,7 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
     more = {
         "digest": digest_of(rigs["as it is"]),
         "centres": _centres(next(iter(runs.values())), viewer),
+        "differences": differences_of(rigs),
         "targets": _bands(first, wanted, asked.over, viewer),
         "notes": [
             _note(label, run)

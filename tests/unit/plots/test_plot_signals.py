@@ -135,3 +135,14 @@ def test_sweep_of_the_speed_study() -> None:
     labels = [axes.get_ylabel() for axes in sweep(results).axes]
     assert any(label.endswith("[mm]") for label in labels)
     assert all(label.endswith("]") for label in labels)
+
+
+def test_a_vehicle_shows_its_road_body_and_all_axles_first() -> None:
+    from jounce.plots.comparison import common_channels
+
+    trial = jn.Trial(
+        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="8 m/s", duration="0.1 s"
+    )
+    run = jn.simulate(jn.load("audi-a6-half-car"), trial)
+    first = common_channels({"run": run}, None)
+    assert first == ["front.road.z", "body.az", "front.strut.deflection", "rear.strut.deflection"]

@@ -173,3 +173,19 @@ def test_titles_of_panels_keep_within_them() -> None:
         "strut.force",
         "strut.force, force",
     ]
+
+
+def test_a_comparison_of_rides_shows_the_rear_axle_too() -> None:
+    rig, controls = jn.load("audi-a6-half-car-4dof"), ["passive", "skyhook"]
+    study = jn.compare_rides(rig, iso_trial(rig, "C", "20 m/s", duration="3 s"), controls)
+    page = ride_page(study, title="Half car")
+    viewer = next(block for block in page.blocks() if hasattr(block, "scenes"))
+    shown = [pane.name for pane in viewer.scenes[0].panes if pane.shown]
+    assert shown == [
+        "front.road.z",
+        "body.az",
+        "front.strut.deflection",
+        "rear.strut.deflection",
+        "front.tyre.force",
+        "rear.tyre.force",
+    ]

@@ -1,6 +1,7 @@
 /** Many small plots over one axis: curves, bands of what is wanted, and the value at the pose that is shown. */
 
 import { at, type Model, type Numbers, type Store } from "../data";
+import { drawingOrder, lineStyle } from "../lines";
 import { colour, make, sized, whenColoursChange, written } from "../page";
 import { offerChart, type ShownChart, seeker, sorted } from "../shown";
 import { isGerman, localised, tr } from "../words";
@@ -239,11 +240,11 @@ export class Multiples {
     context.fillText(this.xLabel, (LEFT + width - RIGHT) / 2, HEIGHT - 4, width - LEFT - RIGHT);
     if (one.band) this.band(context, one, toX, toY, low, high);
     else one.verdict.textContent = "";
-    for (let k = one.lines.length - 1; k >= 0; k--) {
-      const { role, y } = one.lines[k]!;
+    for (const { role, y } of drawingOrder(one.lines)) {
+      const { width: thick, dash } = lineStyle(role);
       context.strokeStyle = this.ink(role);
-      context.lineWidth = k ? 1.25 : 2;
-      context.setLineDash(k ? [5, 3] : []);
+      context.lineWidth = thick;
+      context.setLineDash(dash);
       context.beginPath();
       let down = false;
       for (let i = 0; i < x.length; i++) {

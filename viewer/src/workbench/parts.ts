@@ -50,6 +50,29 @@ export function once<T>(button: HTMLButtonElement, work: Promise<T>): Promise<T>
   });
 }
 
+/** Lines that a save would change in a file, to be seen before it is written. */
+export function difference(
+  changed: readonly string[],
+  yes: HTMLButtonElement,
+  no: HTMLButtonElement,
+  ...notes: HTMLElement[]
+): HTMLElement {
+  const title = tr("Changes to the file"),
+    kinds = { "+": "added", "-": "removed", "@": "muted" } as Record<string, string>;
+  return make(
+    "section",
+    { class: "difference", "aria-label": title },
+    make("h2", {}, title),
+    ...notes,
+    make(
+      "pre",
+      { tabindex: "0", "aria-label": title },
+      ...changed.map((line) => make("span", { class: kinds[line[0] ?? ""] ?? "" }, `${line}\n`)),
+    ),
+    make("div", { class: "bar" }, yes, no),
+  );
+}
+
 /** A text that can be copied. */
 export function copied(title: string, text: string): HTMLElement {
   const button = make("button", { type: "button" }, tr("Copy")),

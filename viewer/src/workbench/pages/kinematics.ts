@@ -1,19 +1,31 @@
 /** A corner over travel, rack or roll: mechanism, curves of the catalogue, targets, and designs from targets. */
 
 import { Store } from "../../data";
+import { inStyle } from "../../lines";
 import { type Centres, MechanismView } from "../../mechanism";
 import { make, toggle, whenColoursChange, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
+import { Against, type Differences, Differing } from "../comparing";
 import { designing, type Target } from "../designing";
 import { Drafts, moment } from "../drafts";
 import { type Band, Multiples } from "../multiples";
-import { field, LiveSnippets, Newest, Outdated, once, problem, Sliders, Steps } from "../parts";
+import {
+  difference,
+  field,
+  LiveSnippets,
+  Newest,
+  Outdated,
+  once,
+  problem,
+  Sliders,
+  Steps,
+} from "../parts";
 import { Points } from "../points";
 import { inWords, quantity } from "../quantities";
 import { asSaid } from "../refusals";
 import { saveChart, saveDrawing } from "../saving";
-import { address, choose, setLive, type Values } from "../shell";
+import { address, choose, given, setLive, type Values } from "../shell";
 
 type Over = "travel" | "rack" | "roll";
 /** State that survives the reload after saving: targets, and changes made meanwhile. */
@@ -27,6 +39,7 @@ let kept: Kept | null = null;
 interface Extra {
   centres: Centres | null;
   targets: Band[];
+  differences: Differences | null;
   notes: string[];
 }
 
@@ -188,43 +201,23 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   const rigs = entries
     .filter((entry) => entry.has_hardpoints && entry.path !== name)
     .map((entry) => entry.path);
-  const against = make(
-    "select",
-    {},
-    make("option", { value: "" }, tr("nothing")),
-    ...(earlier.length
-      ? [
-          make(
-            "optgroup",
-            { label: tr("earlier versions") },
-            ...earlier.map((one) =>
-              make(
-                "option",
-                { value: one.name },
-                `${tr("replaced")} ${moment(one.replaced * 1000)}`,
-              ),
-            ),
-          ),
-        ]
-      : []),
-    ...(rigs.length
-      ? [
-          make(
-            "optgroup",
-            { label: tr("this project") },
-            ...rigs.map((one) => make("option", { value: one }, one)),
-          ),
-        ]
-      : []),
-    make(
-      "optgroup",
-      { label: tr("shipped") },
-      ...shipped
-        .filter((one) => one.has_hardpoints)
-        .map((one) => make("option", { value: one.name }, one.name)),
-    ),
+  const against = new Against(
+    tr("Compare with"),
+    [
+      [
+        tr("earlier versions"),
+        earlier.map((one) => [one.name, `${tr("replaced")} ${moment(one.replaced * 1000)}`]),
+      ],
+      [tr("this project"), rigs.map((one) => [one, one])],
+      [
+        tr("shipped"),
+        shipped.filter((one) => one.has_hardpoints).map((one) => [one.name, one.name]),
+      ],
+    ],
+    () => void ask(),
   );
-  against.addEventListener("change", () => void ask());
+  against.values = given<string[]>(values.get("against") ?? "[]");
+  const differing = new Differing();
 
   const view = new MechanismView(true),
     stage = make("div", { class: "player bare" }, view.element);
@@ -346,7 +339,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
               rig: name,
               changes: sliders.changes,
               over: now,
-              against: against.value,
+              against: against.values,
               targets,
               study: chosen.value,
               travel: now === "roll" ? "" : text(drives.travel),
@@ -386,16 +379,11 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
           ...extra.notes.map((one) => make("p", { class: "muted" }, asSaid(one))),
         );
         legend.replaceChildren(
-          ...(model.roles.length > 1 ? model.roles : []).map(({ role, label }, k) =>
-            make(
-              "li",
-              {},
-              make("i", { class: `swatch ${role}` }),
-              label,
-              k ? ` (${tr("dashed")})` : "",
-            ),
+          ...(model.roles.length > 1 ? model.roles : []).map(({ role, label }) =>
+            make("li", {}, make("i", { class: `swatch ${role}` }), inStyle(label, role)),
           ),
         );
+        differing.show(extra.differences);
         same.show(extra);
         outdated.show(extra);
         view.draw();
@@ -415,9 +403,39 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
   filter.addEventListener("input", () => multiples.filter(filter.value));
   const write = make("button", { type: "button" }, tr("Save these changes to the file")),
+    review = make("div", {}),
     written_ = make("span", { "aria-live": "polite" });
+  /** A number as it is written to the file (SI): lengths to a micrometre, others with six digits. */
+  const asWritten = (path: string, value: number): number => {
+    const own = rig.numbers.find((one) => one.path === path);
+    if (!own) return value;
+    const shown = value * own.factor,
+      text = own.unit === "mm" ? shown.toFixed(3) : shown.toPrecision(6);
+    return Number((Number(text) / own.factor).toPrecision(12));
+  };
+  /** Writes a text that has been seen; changes made meanwhile stay. */
+  const save = async (text: string, was: string, changes: Record<string, number>) => {
+    await api.save(name, text, was);
+    if (!place.isConnected) return;
+    const inFile = new Map(rig.numbers.map(({ path, value }) => [path, changes[path] ?? value])),
+      later = moved().filter(({ path, value }) =>
+        path in changes ? asWritten(path, value) !== changes[path] : value !== inFile.get(path),
+      );
+    kept = {
+      rig: name,
+      said: tr("Saved. The previous state is under earlier versions."),
+      targets,
+      changes: Object.fromEntries(later.map(({ path, value }) => [path, value])),
+    };
+    drafts.drop(); // the page that comes has it all
+    dispatchEvent(new HashChangeEvent("hashchange"));
+  };
   write.addEventListener("click", () => {
-    const changes = { ...sliders.changes };
+    const changes = Object.fromEntries(
+      Object.entries(sliders.changes).map(([path, value]) => [path, asWritten(path, value)]),
+    );
+    review.replaceChildren();
+    written_.replaceChildren();
     if (!Object.keys(changes).length) {
       written_.textContent = tr("No changes to save.");
       return;
@@ -429,20 +447,19 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
           const file = await api.file(name),
             found = await api.form(name, file.text, [], changes);
           if (found.problems.length) throw new Error(found.problems[0]!.text);
-          await api.save(name, found.text, file.digest);
-          if (!place.isConnected) return;
-          const inFile = new Map(
-              rig.numbers.map(({ path, value }) => [path, changes[path] ?? value]),
-            ),
-            later = moved().filter(({ path, value }) => value !== inFile.get(path));
-          kept = {
-            rig: name,
-            said: tr("Saved. The previous state is under earlier versions."),
-            targets,
-            changes: Object.fromEntries(later.map(({ path, value }) => [path, value])),
-          };
-          drafts.drop(); // the page that comes has it all
-          dispatchEvent(new HashChangeEvent("hashchange"));
+          const yes = make("button", { type: "button", class: "main" }, tr("Write to the file")),
+            no = make("button", { type: "button" }, tr("Back"));
+          no.addEventListener("click", () => {
+            review.replaceChildren();
+            write.focus();
+          });
+          yes.addEventListener("click", () => {
+            once(yes, save(found.text, file.digest, changes)).catch((error) =>
+              written_.replaceChildren(problem(error)),
+            );
+          });
+          review.replaceChildren(difference(found.changed, yes, no));
+          yes.focus();
         } catch (error) {
           written_.replaceChildren(problem(error));
         }
@@ -474,7 +491,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       "div",
       { class: "form" },
       field(tr("Curves over"), over),
-      field(tr("Compare with"), against),
+      against.element,
       field(tr("Targets of a study"), chosen),
       field(tr("Show curves with"), filter),
       saveChart(multiples.element, () => `${name}: ${tr("kinematics")}`),
@@ -497,6 +514,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         "div",
         {},
         legend,
+        differing.element,
         make(
           "div",
           { class: "scrolled", tabindex: "0", role: "region", "aria-label": tr("curves") },
@@ -506,7 +524,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     ),
     make("h2", {}, tr("Parameters")),
     sliders.element,
-    ...(isOwn ? [make("p", { class: "bar" }, write, written_)] : []),
+    ...(isOwn ? [make("p", { class: "bar" }, write, written_), review] : []),
     make("h2", {}, tr("Targets")),
     wanted.element,
     make("h2", {}, tr("Design from targets")),

@@ -4,6 +4,7 @@ import { Store } from "../../data";
 import { make, written } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
+import { Against, type Differences, Differing } from "../comparing";
 import { savable } from "../curves";
 import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { files } from "../files";
@@ -47,6 +48,8 @@ export async function show(place: HTMLElement): Promise<void> {
     api.get<Begun[]>("/api/jobs"),
   ]);
   document.getElementById("project")!.textContent = name;
+  const rig = await usable(entries);
+  if (!place.isConnected) return;
   const choice = make(
     "select",
     {},
@@ -80,7 +83,7 @@ export async function show(place: HTMLElement): Promise<void> {
     make("h1", {}, name),
     make("p", { class: "muted" }, folder),
     unsaved(draftsOf(folder)),
-    next(entries, kept, jobs),
+    next(entries, kept, jobs, rig),
     entries.length
       ? files(folder, entries)
       : make(
@@ -111,8 +114,95 @@ export async function show(place: HTMLElement): Promise<void> {
       make("a", { href: address("trial", { rig: one.name }) }, tr("drive")),
     ]),
     ...(kept.length ? [make("h2", {}, tr("Saved runs")), history(kept)] : []),
+    ...comparison(entries, kept, library),
   );
 }
+
+const MOST_RUNS = 7; // curves: as many as there are colours
+const MOST_FILES = 20;
+const MOST_OTHERS = 5; // beside a rig that may be changed
+
+/** Rigs, campaigns and runs in a table of what differs, with links to their curves. */
+function comparison(
+  entries: api.Entry[],
+  kept: Kept[],
+  library: { name: string; has_hardpoints: boolean }[],
+): HTMLElement[] {
+  const of = (...kinds: string[]) =>
+    entries
+      .filter(({ kind }) => kinds.includes(kind))
+      .map(({ path }): [string, string] => [path, path]);
+  const corners = new Set(
+    [...entries.map((one) => ({ ...one, name: one.path })), ...library]
+      .filter((one) => one.has_hardpoints)
+      .map((one) => one.name),
+  );
+  const runs = new Set(kept.map(({ path }) => path)),
+    rigs = new Set([
+      ...of("rig", "vehicle").map(([path]) => path),
+      ...library.map((one) => one.name),
+    ]);
+  const differing = new Differing(true),
+    out = make("div", { "aria-live": "polite" });
+  const compare = async () => {
+    const names = chosen.values,
+      [first, ...others] = names;
+    if (!first || !others.length) {
+      differing.show(null);
+      out.replaceChildren(make("p", { class: "muted" }, tr("Choose at least two.")));
+      return;
+    }
+    try {
+      const found = await differences(names);
+      if (chosen.values.join("\n") !== names.join("\n")) return; // others were chosen meanwhile
+      differing.show(found);
+      const link = (page: string, rig: string, words: string) => {
+        const against = JSON.stringify(names.filter((name) => name !== rig));
+        return make("a", { href: address(page, { rig, against }) }, tr(words));
+      };
+      const links =
+        names.length > MOST_OTHERS + 1
+          ? []
+          : [
+              ...(names.every((name) => corners.has(name))
+                ? [link("kinematics", first, "Compare their kinematics")]
+                : []),
+              ...(names.every((name) => rigs.has(name) || runs.has(name)) && rigs.has(first)
+                ? [link("trial", first, "Drive them over one obstacle")]
+                : []),
+            ];
+      out.replaceChildren(
+        ...(links.length ? [make("p", { class: "bar" }, ...links)] : []),
+        ...(found.python ? [snippets(found)] : []),
+      );
+    } catch (error) {
+      differing.show(null);
+      out.replaceChildren(problem(error));
+    }
+  };
+  const groups: [string, [string, string][]][] = [
+    [tr("this project"), of("rig", "vehicle")],
+    [tr("saved runs"), kept.map(({ path }) => [path, path.replace(/^runs\//, "")])],
+    [tr("campaigns"), of("campaign")],
+    [tr("shipped"), library.map(({ name }) => [name, name])],
+  ];
+  const chosen = new Against(
+    tr("Rigs, runs or campaigns"),
+    groups,
+    () => void compare(),
+    MOST_FILES,
+  );
+  return [
+    make("h2", {}, tr("Compare files and runs")),
+    make("div", { class: "form" }, chosen.element),
+    differing.element,
+    out,
+  ];
+}
+
+const differences = async (names: string[]) =>
+  (await (await api.asked("POST", "/api/differences", { names })).json()) as Differences &
+    api.Answer;
 
 /** Unsaved changes of other pages. */
 function unsaved(drafts: Lying[]): HTMLElement {
@@ -150,10 +240,33 @@ function unsaved(drafts: Lying[]): HTMLElement {
   return section;
 }
 
+/** The first rig that can be simulated, and those before it that are invalid. */
+interface Usable {
+  rig: api.Entry | null;
+  broken: string[];
+}
+async function usable(entries: api.Entry[]): Promise<Usable> {
+  const broken: string[] = [];
+  for (const rig of entries.filter((one) => one.kind === "rig").slice(0, MOST_TRIED)) {
+    try {
+      await api.rig(rig.path);
+      return { rig, broken };
+    } catch {
+      broken.push(rig.path);
+    }
+  }
+  return { rig: null, broken };
+}
+const MOST_TRIED = 5;
+
 /** Suggested next steps. */
-function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
+function next(
+  entries: api.Entry[],
+  kept: Kept[],
+  jobs: Begun[],
+  { rig, broken }: Usable,
+): HTMLElement {
   const of = (kind: string) => entries.filter((one) => one.kind === kind),
-    [rig] = of("rig"),
     record = of("record").find((one) => !kept.some(({ path }) => path === one.path));
   const steps: HTMLElement[] = [];
   for (const { path } of of("campaign")) {
@@ -170,7 +283,16 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
         ),
       );
   }
-  if (!rig)
+  for (const path of broken)
+    steps.push(
+      make(
+        "li",
+        {},
+        make("a", { href: address("rig", { name: path }) }, tr("Correct #", path)),
+        tr(": it cannot be read as a rig."),
+      ),
+    );
+  if (!rig && !broken.length)
     steps.push(
       make("li", {}, tr("Start from a shipped rig (below).")),
       make(
@@ -184,7 +306,7 @@ function next(entries: api.Entry[], kept: Kept[], jobs: Begun[]): HTMLElement {
         ".",
       ),
     );
-  else {
+  else if (rig) {
     if (!kept.length)
       steps.push(
         make(
@@ -249,22 +371,32 @@ function history(kept: Kept[]): HTMLElement {
   const boxes = kept.map((one, i) =>
       make("input", { type: "checkbox", "aria-label": tr("compare #", one.path), checked: i < 2 }),
     ),
-    out = make("div", {});
+    out = make("div", {}),
+    differing = new Differing(true);
   const compare = make("button", { type: "button" }, tr("Compare selected runs"));
   const short = (digest: string) => make("code", { title: digest }, digest.slice(0, 8));
   compare.addEventListener("click", () => {
-    const paths = kept
-      .filter((_, i) => boxes[i]!.checked)
-      .map((one) => one.path)
-      .slice(0, 6);
-    if (!paths.length) {
-      out.replaceChildren(make("p", { class: "muted" }, tr("Select at least one run.")));
+    const paths = kept.filter((_, i) => boxes[i]!.checked).map((one) => one.path);
+    if (!paths.length || paths.length > MOST_RUNS) {
+      const words = paths.length
+        ? tr("Select at most # runs: more curves cannot be told apart.", String(MOST_RUNS))
+        : tr("Select at least one run.");
+      out.replaceChildren(make("p", { class: "muted" }, words));
       return;
     }
     once(compare, api.binary("/api/compare", { paths })).then(
       (answer) => {
         const store = inWords(Store.of(answer));
+        const listed = make("div", {});
+        void (paths.length > 1 ? differences(paths) : Promise.resolve(null)).then(
+          (found) => {
+            differing.show(found);
+            listed.replaceChildren(differing.element);
+          },
+          (error) => listed.replaceChildren(problem(error)),
+        );
         out.replaceChildren(
+          listed,
           savable(store.content.viewers[0]!, store).element,
           snippets(store.content as unknown as api.Answer),
         );

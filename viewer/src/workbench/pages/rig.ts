@@ -7,7 +7,7 @@ import { tr } from "../../words";
 import * as api from "../api";
 import { Drafts, draftsOf, moment, stateOf } from "../drafts";
 import { Form, type Key, type Value } from "../form";
-import { copied, InTurn, LiveSnippets, Newest, problem } from "../parts";
+import { copied, difference, InTurn, LiveSnippets, Newest, problem } from "../parts";
 import { Points } from "../points";
 import { advised } from "../refusals";
 import { saveDrawing } from "../saving";
@@ -56,7 +56,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     strokes = 0; // what was asked about last, what a save would write, and how often something was typed
   const status = make("div", { class: "told", "aria-live": "polite" }),
     unseen = make("div", { "aria-live": "polite" }),
-    difference = make("div", {});
+    lines = make("div", {});
   const save = make("button", { type: "button", class: "main", disabled: true }, tr("Save")),
     undo = make("button", { type: "button", disabled: true }, tr("Undo")),
     redo = make("button", { type: "button", disabled: true }, tr("Redo"));
@@ -163,7 +163,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     step(found.text);
     if (text.value !== found.text) text.value = found.text;
     if (found.text !== reviewed) {
-      difference.replaceChildren();
+      lines.replaceChildren();
       reviewed = null;
     }
     state = found;
@@ -286,41 +286,21 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       no = make("button", { type: "button" }, tr("Back"));
     no.addEventListener("click", () => {
       reviewed = null;
-      difference.replaceChildren();
+      lines.replaceChildren();
     });
     yes.addEventListener("click", () => {
       yes.disabled = true;
       void inTurn(() => write(now));
     });
     reviewed = now;
-    difference.replaceChildren(
-      make(
-        "section",
-        { class: "difference", "aria-label": tr("Changes to the file") },
-        make("h2", {}, tr("Changes to the file")),
+    lines.replaceChildren(
+      difference(
+        found.changed,
+        yes,
+        no,
         ...(found.problems.length
           ? [make("p", { class: "problem" }, tr("There are still problems; you can save anyway."))]
           : []),
-        make(
-          "pre",
-          { tabindex: "0", "aria-label": tr("Changes to the file") },
-          ...found.changed.map((line) =>
-            make(
-              "span",
-              {
-                class: line.startsWith("+")
-                  ? "added"
-                  : line.startsWith("-")
-                    ? "removed"
-                    : line.startsWith("@@")
-                      ? "muted"
-                      : "",
-              },
-              `${line}\n`,
-            ),
-          ),
-        ),
-        make("div", { class: "bar" }, yes, no),
       ),
     );
     if ([save, document.body].includes(document.activeElement as HTMLElement)) yes.focus(); // whoever types goes on typing
@@ -334,7 +314,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       saved = await api.save(name, now, saved.digest);
       drafts.done({ text: now });
       reviewed = null;
-      difference.replaceChildren();
+      lines.replaceChildren();
       said = make("p", { class: "good" }, tr("Saved."));
       isOld = true;
       const found = await api.form(name, now, [], {}).catch(() => null); // how the same is done is told of what is saved now
@@ -354,11 +334,11 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
               step(text.value);
               take(its);
             } catch (error) {
-              difference.prepend(problem(error));
+              lines.prepend(problem(error));
             }
           }),
       );
-      difference.replaceChildren(problem(error), make("div", { class: "bar" }, again));
+      lines.replaceChildren(problem(error), make("div", { class: "bar" }, again));
     }
   };
   save.addEventListener("click", () => void inTurn(review));
@@ -376,7 +356,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     drafts.element,
     status,
     make("div", { class: "bar" }, save, undo, redo),
-    difference,
+    lines,
     unseen,
     picture,
     make(

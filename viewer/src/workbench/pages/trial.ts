@@ -3,7 +3,8 @@
 import { make } from "../../page";
 import { tr } from "../../words";
 import * as api from "../api";
-import { Drafts, enter, entered } from "../drafts";
+import { Against, type Differences, Differing } from "../comparing";
+import { Drafts, enter, entered, moment } from "../drafts";
 import { OBSTACLES, USUAL } from "../obstacles";
 import {
   field,
@@ -20,14 +21,13 @@ import {
 import { Phase } from "../phase";
 import { address, choose, given, setLive, type Values, VEHICLES } from "../shell";
 
+/** Parameters with sliders at first: those of a corner, or of each axle of a vehicle. */
 const FIRST = [
-  "strut.spring.rate",
-  "strut.damper.coefficient",
-  "strut.damper.bump_coefficient",
-  "strut.damper.rebound_coefficient",
-  "tyre.stiffness",
-  "sprung.mass",
-  "unsprung.mass",
+  /^(|(front|rear)\.(corner\.)?)(strut\.)?spring[._]rate$/,
+  /^(|(front|rear)\.(corner\.)?)(strut\.damper\.)?(damping_|bump_|rebound_|)coefficient$/,
+  /^(|(front|rear)\.(corner\.)?)tyre\.stiffness$/,
+  /^(sprung|unsprung|body)\.mass$/,
+  /^(front|rear)\.unsprung_mass$/,
 ];
 
 export async function show(place: HTMLElement, values: Values): Promise<void> {
@@ -44,7 +44,13 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     );
     return;
   }
-  const [rig, { entries, folder }] = await Promise.all([api.rig(name), api.project()]);
+  const [rig, { entries, folder }, shipped, runs, earlier] = await Promise.all([
+    api.rig(name),
+    api.project(),
+    api.library(),
+    api.get<{ path: string }[]>("/api/history"),
+    name.endsWith(".toml") ? api.versions(name) : [],
+  ]);
   if (!place.isConnected) return;
   const kind = select(Object.keys(OBSTACLES), undefined, (one) => tr(one.replace("-", " ")));
   const sizes = make("span", { class: "sizes" });
@@ -65,7 +71,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     );
   const sliders = new Sliders(
     rig,
-    FIRST,
+    FIRST.flatMap((wanted) =>
+      rig.numbers.map(({ path }) => path).filter((path) => wanted.test(path)),
+    ),
     () => void curves.ask(),
     given<Record<string, number>>(values.get("set")),
   );
@@ -90,6 +98,22 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     entries.filter((one) => one.kind === "record").map(({ path }) => path),
   );
   measured.value = values.get("record") ?? "";
+  const others = entries.filter((one) => VEHICLES.includes(one.kind) && one.path !== name);
+  const against = new Against(
+    tr("Compare with"),
+    [
+      [
+        tr("earlier versions"),
+        earlier.map((one) => [one.name, `${tr("replaced")} ${moment(one.replaced * 1000)}`]),
+      ],
+      [tr("this project"), others.map(({ path }) => [path, path])],
+      [tr("saved runs"), runs.map(({ path }) => [path, path.replace(/^runs\//, "")])],
+      [tr("shipped"), shipped.map((one) => [one.name, one.name])],
+    ],
+    () => void curves.ask(),
+  );
+  against.values = given<string[]>(values.get("against") ?? "[]");
+  const differing = new Differing();
   const begins = textBox("0 s"),
     since = field(tr("Start of the recording"), begins);
   const offset = () => {
@@ -101,6 +125,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     api.curves("simulate", {
       ...asked(),
       spectra: look.value === "spectra",
+      against: against.values,
       measured: measured.value,
       begins: begins.value,
       numbers: [...channels, ...phase.channels],
@@ -108,7 +133,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   );
   const outdated = new Outdated(rig);
   curves.shown = (model, store) => {
-    outdated.show(store.content as unknown as api.OfRig);
+    const answer = store.content as unknown as api.OfRig & { differences: Differences | null };
+    outdated.show(answer);
+    differing.show(answer.differences);
     const isTime = model.x.unit === "s";
     phase.element.hidden = !isTime;
     if (isTime) phase.show(model, store);
@@ -184,7 +211,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     field(tr("Speed"), speed),
     field(tr("Duration"), duration),
     field(tr("Curves over"), look),
-    field(tr("Compare with"), measured),
+    against.element,
+    field(tr("Recording beside it"), measured),
     since,
   );
   const run = make(
@@ -215,6 +243,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         "div",
         {},
         outdated.element,
+        differing.element,
         curves.element,
         phase.element,
         make("h2", {}, tr("Save this run")),

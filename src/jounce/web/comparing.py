@@ -1,0 +1,98 @@
+"""What differs between rigs, runs and campaigns of a project."""
+
+from __future__ import annotations
+
+import contextlib
+import tomllib
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from jounce.core.description import Description
+from jounce.core.errors import DescriptionError, JounceError
+from jounce.web.answers import cells_of, label_of, rig_of, trial_of
+from jounce.web.kept import digest_of_inputs, history
+from jounce.web.project import Project
+
+if TYPE_CHECKING:
+    from jounce.parts import Rig
+
+_KINDS = ("rig", "trial", "campaign")
+
+
+def compare_files(project: Project, names: Sequence[str]) -> dict[str, Any]:
+    """List what differs between rigs, vehicles, campaigns and saved runs, with equivalent code.
+
+    A run counts as its rig and trial. What a run was made of is found by its digest, in the file or in its earlier
+    versions.
+    """
+    from jounce.parts.differences import compare_descriptions
+
+    runs = {run["path"]: run for run in history(project)}
+    paths = list(dict.fromkeys(names))
+    described = {label_of(name): _described(project, name, runs) for name in paths}
+    kinds = [
+        kind for kind in _KINDS if described and all(kind in each for each in described.values())
+    ]
+    if not kinds:
+        listed = ", ".join(f"{name}: {', '.join(each)}" for name, each in described.items())
+        raise DescriptionError(
+            "these cannot be compared", where="names", found=listed, allowed="files of one kind"
+        )
+    rows = []
+    for kind in kinds:
+        rows += cells_of(compare_descriptions({n: each[kind] for n, each in described.items()}))[
+            "rows"
+        ]
+    return {"names": list(described), "rows": rows} | _ways(paths, runs)
+
+
+def _described(
+    project: Project, name: str, runs: Mapping[str, Mapping[str, Any]]
+) -> dict[str, Description]:
+    """Return the descriptions of a run (its rig and trial), of a campaign, or of a rig."""
+    if name in runs:
+        run = runs[name]
+        return {"rig": _rig_of_run(project, run), "trial": trial_of(project, run["trial"])}
+    if _is_campaign(project, name):
+        from jounce.campaign import load_campaign
+        from jounce.core.files import only_below
+
+        with only_below(project.root):
+            return {"campaign": load_campaign(project.inside(name))[0]}
+    return {"rig": rig_of(project, name)}
+
+
+def _is_campaign(project: Project, name: str) -> bool:
+    if not name.endswith(".toml"):
+        return False
+    try:
+        return tomllib.loads(project.read(name).text).get("schema") == "jounce.campaign/1"
+    except tomllib.TOMLDecodeError:
+        return False  # the error is raised when it is loaded as a rig
+
+
+def _rig_of_run(project: Project, run: Mapping[str, Any]) -> Rig:
+    """Return the rig that a run was made of: the file, or the earlier version that has its digest."""
+    name = run["rig"]
+    earlier = project.versions(name) if name.endswith(".toml") else []
+    for each in (name, *(version.name for version in earlier)):
+        with contextlib.suppress(JounceError):  # invalid by now
+            rig = rig_of(project, each).with_changes(dict(run["changes"]))
+            if digest_of_inputs(rig) == run["rig_digest"]:
+                return rig
+    raise DescriptionError(
+        "the rig of this run is not known any more",
+        where=run["path"],
+        found=name,
+        allowed="the rig's file, or an earlier version of it, as it was for the run",
+        hint="Save the run again.",
+    )
+
+
+def _ways(names: Sequence[str], runs: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+    """Return Python code that lists the differences between rigs; empty for others, which need more."""
+    if any(name in runs or "@" in name for name in names):
+        return {"python": "", "command": "", "files": {}}
+    rigs = "".join(f"    {name!r}: jn.load({name!r}),\n" for name in names)
+    python = f"import jounce as jn\n\nprint(jn.compare_descriptions({{\n{rigs}}}))\n"
+    return {"python": python, "command": "", "files": {}}
