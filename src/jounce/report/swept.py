@@ -8,28 +8,81 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
+from jounce.parts import Corner
 from jounce.plots.display import kinematic_value, number
-from jounce.report.page import Block, Page, PageTable, Paragraph, Section
+from jounce.report.page import Block, Page, PageTable, Paragraph, Picture, Section
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from jounce.kinematics.swept import Swept
 
 _SHOWN = 7
 """Number of poses in the table: as many as fit side by side."""
 
 
+_CURVES = (
+    "toe",
+    "camber",
+    "caster",
+    "kingpin_inclination",
+    "scrub_radius",
+    "caster_trail",
+    "half_track_change",
+    "roll_centre_height",
+    "ackermann_percentage",
+    "motion_ratio",
+    "wheel_rate",
+)
+"""Curves shown at first, of each wheel; all others can be selected in the viewer and are in the table."""
+
+
 def swept_page(sweep: Swept, *, title: str) -> Page:
-    """Create a page of a sweep."""
+    """Create a page of a sweep: extremes, curves, the mechanism with its hardpoints, and all quantities."""
 
     def blocks(number: int) -> tuple[Block, ...]:
+        from jounce.plots.signals import preferred_channels
         from jounce.report.recordings import recordings_page
 
-        return (
-            recordings_page({title: sweep.data}, title=title, rig=sweep.rig).sections[number].blocks
-        )
+        data = sweep.data
+        along = [str(name) for name, values in data.data_vars.items() if values.ndim == 1]
+        first = preferred_channels(along, [(name,) for name in _CURVES], len(along))
+        page = recordings_page({title: data}, first or None, title=title, rig=sweep.rig)
+        return page.sections[number].blocks
 
-    drawn = (Section("Extremes", partial(blocks, 0)), Section("Curves", partial(blocks, 1)))
+    drawn = [Section("Extremes", partial(blocks, 0)), Section("Curves", partial(blocks, 1))]
+    if isinstance(sweep.rig, Corner):
+        drawn.append(Section("Mechanism", partial(_mechanism, sweep.rig, title)))
     return Page(title, (*drawn, Section("Poses", poses_table(sweep))), "Kinematic sweep")
+
+
+def _mechanism(rig: Corner, title: str) -> tuple[Block, ...]:
+    """Return the drawing in front, side and top view and in perspective, and the table of hardpoints."""
+
+    def draw() -> Figure:
+        from jounce.plots.mechanisms.drawing import mechanism
+
+        return mechanism(rig)
+
+    words = f"{title}: front, side and top view at design, and perspective."
+    return Picture(draw, "mechanism", words, words), hardpoints_table(rig)
+
+
+def hardpoints_table(rig: Corner) -> PageTable:
+    """Return the coordinates of all hardpoints at design, in the usual unit of lengths."""
+    unit = display_unit("m")
+    rows = tuple(
+        (name.replace("_", " "), *(_coordinate(value * unit.factor) for value in place))
+        for name, place in rig.hardpoints
+        if isinstance(place, tuple)
+    )
+    header = ("hardpoint", *(unit.label(axis) for axis in "xyz"))
+    note = "x forward, y left, z up."
+    return PageTable("Hardpoints at design", header, rows, "lrrr", note)
+
+
+def _coordinate(value: float) -> str:
+    return f"{value:.2f}".replace("-", "−")
 
 
 def poses_table(sweep: Swept) -> tuple[Block, ...]:

@@ -189,3 +189,26 @@ def test_a_comparison_of_rides_shows_the_rear_axle_too() -> None:
         "front.tyre.force",
         "rear.tyre.force",
     ]
+
+
+def test_a_kinematic_report_has_the_usual_curves_the_drawing_and_the_hardpoints() -> None:
+    from jounce.report.swept import swept_page
+
+    rig = jn.load("formula-student-front")
+    page = swept_page(jn.sweep_kinematics(rig, "-10 mm:10 mm:10 mm"), title="Front corner")
+    viewer = next(block for block in page.blocks() if hasattr(block, "scenes"))
+    shown = {pane.name for pane in viewer.scenes[0].panes if pane.shown}
+    usual = {"toe", "camber", "caster", "kingpin_inclination", "scrub_radius", "half_track_change"}
+    assert usual | {"roll_centre_height", "motion_ratio", "wheel_rate"} <= shown
+    (section,) = (section for section in page.sections if section.title == "Mechanism")
+    picture, table = section.blocks
+    assert [axes.get_title(loc="left") or axes.get_title() for axes in picture.figure.axes][:3] == [
+        "front view",
+        "side view, from the left",
+        "top view",
+    ]
+    rows = {name: place for name, *place in table.rows}
+    assert rows["upper ball joint"] == ["−8.00", "545.00", "330.00"]
+    assert len(rows) == len(list(rig.hardpoints)) - sum(
+        place is None for _, place in rig.hardpoints
+    )
