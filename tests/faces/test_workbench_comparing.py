@@ -191,4 +191,20 @@ def test_pages_compare_several_and_show_what_a_save_would_change(browser, workbe
     sliders = page.locator(".slider .name").all_inner_texts()
     assert {"front.spring_rate", "rear.damping_coefficient", "body.mass"} <= set(sliders)
     assert "front.road.z" in page.locator(".pane-head").first.inner_text()
+
+    go("/kinematics?rig=formula-student-front.toml")
+    page.locator(".beside figure canvas").first.wait_for(timeout=60_000)
+    page.locator(".mechanism .save > summary").click()
+    with page.expect_download() as drawn:
+        page.locator(".mechanism .save").get_by_role("button", name="SVG").click()
+    svg = Path(drawn.value.path()).read_text()
+    assert svg.count("<path") > 100
+    assert "tie rod outer" in svg
+    page.locator("main > .saving .save > summary").click()
+    with page.expect_download() as saved:
+        page.locator("main > .saving .save").get_by_role("button", name="HTML report").click()
+    report = Path(saved.value.path()).read_text()
+    for view in ("as seen", "front", "side", "top"):
+        assert f"Mechanism of Kinematics of formula-student-front.toml: {view}" in report
     assert not errors
+    page.close()

@@ -141,3 +141,54 @@ def test_a_name_is_one_that_every_system_takes() -> None:
 
     asked = Exported.model_validate({"title": 'a/b: "Größe"', "form": "csv", "blocks": [TABLE]})
     assert file_name(asked) == "a-b-grosse.csv"
+
+
+DRAWING: dict[str, Any] = {
+    "kind": "drawing",
+    "caption": "Mechanism",
+    "width": 300,
+    "height": 200,
+    "shapes": [
+        {"d": "M10 10L100 50", "stroke": "#0067b1", "width": 3.5, "dash": [4, 2], "alpha": 0.5},
+        {"d": "M10 10A5 5 0 1 0 20 10A5 5 0 1 0 10 10Z", "fill": "#22262b"},
+    ],
+    "names": [{"text": "<ball joint>", "x": 20, "y": 30}],
+}
+
+
+def test_a_drawing_leaves_as_paths_that_stay_sharp() -> None:
+    svg = export("svg", DRAWING).decode()
+    assert 'd="M10 10L100 50"' in svg
+    assert "&lt;ball joint&gt;" in svg
+    pytest.importorskip("typst")
+    assert export("pdf", DRAWING).startswith(b"%PDF")
+    assert export("png", DRAWING, scale=1.0)[16:24] == struct.pack(">II", 300, 200)
+    page = export("html", {"kind": "heading", "text": "Mechanism"}, DRAWING, CHART).decode()
+    assert 'd="M10 10L100 50"' in page
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        {"d": 'M0 0"/><script>', "stroke": "#000000"},
+        {"d": "M0 0", "stroke": "url(http://elsewhere)"},
+        {"d": "M0 0", "stroke": "#000000", "width": float("nan")},
+        {"d": "M0 0", "href": "file:///etc/passwd"},
+    ],
+)
+def test_a_drawing_is_paths_and_nothing_else(shape: dict[str, Any]) -> None:
+    with pytest.raises(pydantic.ValidationError):
+        export("svg", DRAWING | {"shapes": [shape]})
+
+
+def test_compared_curves_have_line_styles_and_the_first_on_top() -> None:
+    roles = ["after", "other-5", "other-1", "other-2"]
+    curves = [
+        {"label": role, "role": role, "y": (WAVE * k).tolist()} for k, role in enumerate(roles)
+    ]
+    chart = CHART | {"panels": [{"title": "force", "unit": "N", "curves": curves}]}
+    svg = export("svg", chart).decode()
+    drawn = [svg.index(f'class="l q {role} ') for role in roles]
+    assert drawn == sorted(drawn, reverse=True)
+    for style in ("dashed", "dotted", "dash-dotted"):
+        assert f".chart .{style}{{stroke-dasharray:" in svg

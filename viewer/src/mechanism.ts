@@ -2,6 +2,8 @@
 
 import { before, type Mechanism, type Motion } from "./data";
 import { colour, make, sized, toggle } from "./page";
+import { Recorder } from "./recorder";
+import { offerDrawings, type ShownDrawing } from "./shown";
 import { across, add, along, Camera, dot, minus, Picture, type Point, unit } from "./space";
 import { say, tr } from "./words";
 
@@ -118,6 +120,7 @@ export class MechanismView {
       { passive: false },
     );
     this.canvas.addEventListener("keydown", (event) => this.key(event));
+    offerDrawings(this.element, (isAll) => this.recorded(isAll && large));
     this.turned();
     this.stage.addEventListener("pointerdown", (event) => this.take(event), { capture: true });
     new ResizeObserver(() => this.resize()).observe(this.stage);
@@ -378,10 +381,53 @@ export class MechanismView {
 
   /** Draws now if something has changed. */
   draw(): void {
-    const m = this.shown;
-    if (!this.isDirty || !this.isSeen || !m || !this.context) return;
+    if (!this.isDirty || !this.isSeen || !this.shown || !this.context) return;
     this.isDirty = false;
-    const picture = new Picture(this.context, this.camera),
+    this.paint(this.context, this.shown);
+    if (!this.names.hidden) this.place();
+  }
+
+  /** The drawing as it is seen, or also in front, side and top view; in the colours of paper. */
+  private recorded(isAll: boolean): ShownDrawing[] {
+    const m = this.shown,
+      { camera, zoom, reach } = this,
+      seen = { ...camera };
+    if (!m || camera.width < 10) return [];
+    const views: (View | null)[] = isAll ? [null, "front", "side", "top"] : [null];
+    const { dataset } = document.documentElement,
+      theme = dataset.theme;
+    dataset.theme = "light";
+    try {
+      return views.map((view) => {
+        if (view) this.look(view);
+        const recorder = new Recorder();
+        this.paint(recorder as unknown as CanvasRenderingContext2D, m);
+        const names = this.names.hidden
+          ? []
+          : this.places().map(({ label, x, y }) => ({
+              text: label.textContent,
+              x: x + 2,
+              y: y + LINE - 2,
+            }));
+        return {
+          title: say(view ?? "asSeen"),
+          width: Math.round(camera.width),
+          height: Math.round(camera.height),
+          shapes: recorder.shapes,
+          names,
+        };
+      });
+    } finally {
+      if (theme) dataset.theme = theme;
+      else delete dataset.theme;
+      Object.assign(camera, seen);
+      Object.assign(this, { zoom, reach });
+      this.stale();
+    }
+  }
+
+  private paint(context: CanvasRenderingContext2D, m: Mechanism): void {
+    const picture = new Picture(context, this.camera),
       size = m.wheel.radius / 22;
     const places = this.points.map((place) => this.outside(place)),
       at = (i: number) => places[i]!;
@@ -428,7 +474,6 @@ export class MechanismView {
     const chosen = this.chosen === null ? -1 : m.names.indexOf(this.chosen);
     if (chosen >= 0) picture.ball(at(chosen), 2.6 * size, colour("accent"), 0.7);
     picture.paint();
-    if (!this.names.hidden) this.place();
   }
 
   private turnsAbout(
@@ -512,6 +557,12 @@ export class MechanismView {
   }
 
   private place(): void {
+    for (const { label, x, y } of this.places())
+      label.style.transform = `translate(${x}px, ${y}px)`;
+  }
+
+  /** Names beside their points, below each other where they would overlap. */
+  private places(): { label: HTMLElement; width: number; x: number; y: number }[] {
     const { width: w } = this.camera;
     if (this.wide.length !== this.labels.length || this.wide.includes(0))
       this.wide = this.labels.map((label) => label.offsetWidth); // all are read before any is moved
@@ -527,8 +578,8 @@ export class MechanismView {
         .slice(0, i)
         .filter((other) => other.x < name.x + name.width && name.x < other.x + other.width);
       name.y = Math.max(name.y, ...before.map((other) => other.y + LINE)); // names stand below each other, not over
-      name.label.style.transform = `translate(${name.x}px, ${name.y}px)`;
     });
+    return placed;
   }
 }
 

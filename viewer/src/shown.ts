@@ -55,3 +55,31 @@ export const sorted = <T>(things: T[], rank: (one: T) => number): T[] =>
     .map((one, k): [number, number, T] => [Math.min(rank(one), 1e9), k, one])
     .sort(([a, i], [b, j]) => a - b || i - j)
     .map(([, , one]) => one);
+
+/** A drawing as paths in pixels, from back to front, with the names in it. */
+export interface ShownDrawing {
+  title: string;
+  width: number;
+  height: number;
+  shapes: DrawnShape[];
+  names: { text: string; x: number; y: number }[];
+}
+export interface DrawnShape {
+  d: string;
+  fill?: string;
+  stroke?: string;
+  width?: number;
+  dash?: number[];
+  alpha?: number;
+}
+
+const drawings = new WeakMap<Element, (all: boolean) => ShownDrawing[]>();
+
+/** Lets an element tell what it draws: as it is seen, or in all its views. */
+export function offerDrawings(element: Element, views: (all: boolean) => ShownDrawing[]): void {
+  drawings.set(element, views);
+}
+
+/** The drawing that an element shows, or all its views; none if it draws nothing. */
+export const drawingsOf = (element: Element, all = false): ShownDrawing[] =>
+  drawings.get(element)?.(all) ?? [];

@@ -1,5 +1,7 @@
 /** Points and bodies in space, and their parallel projection, painted from back to front. */
 
+import { RecordedPath, Recorder } from "./recorder";
+
 export type Point = [number, number, number];
 
 export const add = (a: Point, b: Point, share = 1): Point => [
@@ -91,9 +93,9 @@ export class Picture {
   }
 
   private path(points: Point[]): Path2D {
-    const path = new Path2D();
+    const path = (this.context as unknown) instanceof Recorder ? new RecordedPath() : new Path2D();
     for (const point of points) path.lineTo(...this.camera.seen(point));
-    return path;
+    return path as Path2D;
   }
 
   /** How near the middle of points is. */

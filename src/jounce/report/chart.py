@@ -18,8 +18,28 @@ from jounce.core.types import Array
 from jounce.plots.thinning import thin
 
 Style = Literal[
-    "line", "dashed", "dotted", "thick", "dots", "squares", "rings", "diamonds", "crosses"
-]
+    "line", "dashed", "dotted", "dash-dotted", "long-dashed", "two-dotted", "wide-dotted", "thick",
+    "dots", "squares", "rings", "diamonds", "crosses",
+]  # fmt: skip
+_DASHES: dict[str, tuple[int, ...]] = {
+    "dashed": (5, 3),
+    "dotted": (2, 3),
+    "dash-dotted": (8, 3, 2, 3),
+    "long-dashed": (12, 4),
+    "two-dotted": (8, 3, 2, 3, 2, 3),
+    "wide-dotted": (2, 7),
+}
+"""Lengths of dashes and gaps of line styles, px."""
+LINES: dict[str, Style] = {
+    "before": "dashed",
+    "other-5": "dashed",
+    "other-1": "dotted",
+    "other-2": "dash-dotted",
+    "other-3": "long-dashed",
+    "other-4": "two-dotted",
+    "other-6": "wide-dotted",
+}
+"""Line style of compared curves by their role, as in the viewer; others are solid."""
 MARKS = ("dots", "squares", "rings", "diamonds", "crosses")
 
 
@@ -58,6 +78,10 @@ class Panel:
         Whether the y axis begins at zero.
     width, height : int
         Size in pixels at which the text has the size of the page's text.
+    drawn : str
+        SVG elements of a drawing that takes the place of axes and series.
+    is_first_on_top : bool
+        Whether the first series is drawn last, over the others.
     """
 
     series: tuple[Series, ...]
@@ -73,6 +97,8 @@ class Panel:
     from_zero: bool = False
     width: int = 430
     height: int = 250
+    drawn: str = ""
+    is_first_on_top: bool = False
 
 
 @dataclass(frozen=True)
@@ -152,6 +178,8 @@ def chart_svg(chart: Chart, style: str, note: str = "") -> str:
 
 
 def _draw_panel(panel: Panel, identity: str) -> str:
+    if panel.drawn:
+        return panel.drawn
     x0, x1, y0, y1 = _ranges(panel)
     y_ticks = [] if panel.lanes else ticks(y0, y1, max(2, panel.height // 55))
     names = list(panel.lanes) or [tick_text(value) for value in y_ticks]
@@ -208,8 +236,9 @@ def _draw_panel(panel: Panel, identity: str) -> str:
             out.append(
                 f'<path class="l {escape(role)} dotted" d="M{at_x(place):.1f} {top}V{bottom}"/>'
             )
+    ordered = panel.series[::-1] if panel.is_first_on_top else panel.series
     body = "".join(
-        _series(series, (x0, x1, y0, y1), (left, right, top, bottom)) for series in panel.series
+        _series(series, (x0, x1, y0, y1), (left, right, top, bottom)) for series in ordered
     )
     out.append(f'<g clip-path="url(#{identity}-clip)">{body}</g>')
     for x, y, text in panel.notes:
@@ -370,8 +399,11 @@ def _mark(style: str, x: float, y: float) -> str:
 
 SCALED_CSS = (
     f".chart .q{{stroke-width:{1.4 * _FINE}}}.chart .q.measured{{stroke-width:{2 * _FINE}}}"
-    f".chart .q.thick{{stroke-width:{3.5 * _FINE}}}.chart .q.dashed{{stroke-dasharray:{5 * _FINE} {3 * _FINE}}}"
-    f".chart .q.dotted{{stroke-dasharray:{2 * _FINE} {3 * _FINE}}}"
+    f".chart .q.thick{{stroke-width:{3.5 * _FINE}}}"
+    + "".join(
+        f".chart .q.{name}{{stroke-dasharray:{' '.join(str(_FINE * part) for part in dash)}}}"
+        for name, dash in _DASHES.items()
+    )
 )
 """Line widths of scaled paths, for SVG renderers without `vector-effect`."""
 CSS = (
@@ -382,12 +414,15 @@ CSS = (
 .chart .grid{stroke:var(--line);fill:none}.chart .axis{stroke:var(--edge);fill:none}.chart .span{fill:var(--span)}
 .chart .l{fill:none;stroke:var(--muted);stroke-width:1.4;vector-effect:non-scaling-stroke;stroke-linejoin:round}
 .chart .m{fill:var(--muted);stroke:none}.chart .thick{stroke-width:3}
-.chart .dashed{stroke-dasharray:5 3}.chart .dotted{stroke-dasharray:2 3}
 .chart .l.measured{stroke:var(--measured);stroke-width:2}.chart .l.before{stroke:var(--before)}
 .chart .l.after{stroke:var(--after)}.chart .l.thick{stroke-width:3.5}
 .chart .m.measured{fill:var(--measured)}.chart .m.before{fill:var(--before)}.chart .m.after{fill:var(--after)}
 .chart .l.bad{stroke:var(--bad)}.chart .m.bad{fill:var(--bad)}
 """
+    + "".join(
+        f".chart .{name}{{stroke-dasharray:{' '.join(map(str, dash))}}}"
+        for name, dash in _DASHES.items()
+    )
     + "".join(
         f".chart .l.other-{k}{{stroke:var(--other-{k})}}.chart .m.other-{k}{{fill:var(--other-{k})}}"
         for k in range(1, 7)

@@ -23,7 +23,7 @@ from jounce.core.types import Array
 from jounce.plots.mechanisms.drawing import COILS, DAMPER_BODY
 from jounce.plots.mechanisms.scene import MIDDLE
 from jounce.plots.thinning import thin
-from jounce.report.chart import Panel, Series
+from jounce.report.chart import LINES, Panel, Series
 
 if TYPE_CHECKING:
     from jounce.plots.mechanisms.scene import Poses, Roadway
@@ -177,7 +177,7 @@ def scene_panels(
                         scene.x,
                         c.values,
                         c.role,
-                        "dashed" if c.role == "before" else "line",
+                        LINES.get(c.role, "line"),
                         "" if is_alone else c.label,
                     )
                     for c in curves
@@ -189,6 +189,7 @@ def scene_panels(
                 x_range=scene.window or (float(scene.x[0]), float(scene.x[-1])),
                 width=500,
                 height=180,
+                is_first_on_top=len(curves) > 1 and curves[0].role == "after",
             )
         )
     return tuple(panels)

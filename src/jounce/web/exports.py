@@ -11,6 +11,7 @@ import io
 import re
 import tempfile
 from collections.abc import Callable, Iterable
+from html import escape
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
@@ -21,7 +22,7 @@ from jounce.core.errors import JounceError
 from jounce.core.text import slug
 from jounce.core.types import Array
 from jounce.core.units import Unit
-from jounce.report.chart import Chart, Panel, Series, Style, chart_svg
+from jounce.report.chart import LINES, Chart, Panel, Series, chart_svg
 from jounce.report.document import table_csv, tables_xlsx
 from jounce.report.page import Block, Page, PageTable, Paragraph, Section
 from jounce.report.render import REPORTS, chart_style, plain_colours, png_of
@@ -116,6 +117,52 @@ class SentTable(_Sent):
         return self
 
 
+_COLOUR = r"^(#[0-9a-f]{6})?$"
+_Size = Annotated[float, Unit("1", at_least=0.0, at_most=1e4)]
+
+
+class SentShape(_Sent):
+    """A line or an area of a drawing: its path in pixels (M, L, A and Z), and how it is drawn."""
+
+    d: str = Field(max_length=50_000, pattern=r"^[MLAZ\d .,-]+$")
+    fill: str = Field(default="", pattern=_COLOUR)
+    stroke: str = Field(default="", pattern=_COLOUR)
+    width: _Size = 1.0
+    dash: list[_Size] = Field(default_factory=list, max_length=6)
+    alpha: Annotated[float, Unit("1", at_least=0.0, at_most=1.0)] = 1.0
+
+    def svg(self) -> str:
+        """Return the SVG element."""
+        line = f' stroke="{self.stroke}" stroke-width="{self.width:g}"' if self.stroke else ""
+        if self.dash:
+            line += f' stroke-dasharray="{" ".join(f"{part:g}" for part in self.dash)}"'
+        alpha = f' opacity="{self.alpha:g}"' if self.alpha < 1.0 else ""
+        return f'<path d="{self.d}" fill="{self.fill or "none"}"{line}{alpha}/>'
+
+
+class SentName(_Sent):
+    """A name in a drawing, to the right of its place, px."""
+
+    text: str = Field(max_length=200)
+    x: Annotated[float, Unit("1")]
+    y: Annotated[float, Unit("1")]
+
+    def svg(self) -> str:
+        """Return the SVG element."""
+        return f'<text x="{self.x:.1f}" y="{self.y:.1f}">{escape(self.text)}</text>'
+
+
+class SentDrawing(_Sent):
+    """A drawing of a mechanism, from back to front, on paper."""
+
+    kind: Literal["drawing"]
+    caption: str
+    width: Annotated[int, Field(ge=10, le=4000)]
+    height: Annotated[int, Field(ge=10, le=4000)]
+    shapes: list[SentShape] = Field(max_length=20_000)
+    names: list[SentName] = Field(default_factory=list, max_length=500)
+
+
 class SentText(_Sent):
     """A paragraph, or the heading of the following blocks."""
 
@@ -123,7 +170,9 @@ class SentText(_Sent):
     text: str
 
 
-Sent: TypeAlias = Annotated[SentChart | SentTable | SentText, Field(discriminator="kind")]
+Sent: TypeAlias = Annotated[
+    SentChart | SentTable | SentDrawing | SentText, Field(discriminator="kind")
+]
 
 
 class Exported(_Sent):
@@ -163,7 +212,7 @@ def _png(asked: Exported) -> bytes:
 
 
 def _only_chart(asked: Exported) -> Chart:
-    charts = [block for block in asked.blocks if isinstance(block, SentChart)]
+    charts = [block for block in asked.blocks if isinstance(block, SentChart | SentDrawing)]
     if len(charts) != 1 or len(asked.blocks) != 1:
         hint = "Save each figure from its own menu, or the whole page as PDF."
         raise JounceError(
@@ -172,7 +221,10 @@ def _only_chart(asked: Exported) -> Chart:
             found=len(charts),
             hint=hint,
         )
-    return chart_of(charts[0], "figure")
+    (figure,) = charts
+    if isinstance(figure, SentDrawing):
+        return drawing_of(figure, "figure")
+    return chart_of(figure, "figure")
 
 
 def _document(asked: Exported) -> bytes:
@@ -181,7 +233,7 @@ def _document(asked: Exported) -> bytes:
 
 
 def _csv(asked: Exported) -> bytes:
-    data = [block for block in asked.blocks if not isinstance(block, SentText)]
+    data = [block for block in asked.blocks if isinstance(block, SentChart | SentTable)]
     if len(data) != 1:
         hint = "Save each figure and table from its own menu, or all of them as XLSX."
         raise JounceError(
@@ -259,7 +311,7 @@ def chart_of(chart: SentChart, name: str) -> Chart:
                 chart.x,
                 curve.y,
                 curve.role,
-                _STYLES.get(curve.role, "line"),
+                LINES.get(curve.role, "line"),
                 curve.label,
             )
             for curve in panel.curves
@@ -273,12 +325,20 @@ def chart_of(chart: SentChart, name: str) -> Chart:
                 x_range=chart.window,
                 width=width,
                 height=height,
+                is_first_on_top=len(curves) > 1 and curves[0].role == "after",
             )
         )
     return Chart(tuple(panels), name, chart.caption, chart.caption, chart.columns)
 
 
-_STYLES: dict[str, Style] = {"before": "dashed"}
+def drawing_of(drawing: SentDrawing, name: str) -> Chart:
+    """Convert a drawing to a figure of a report, on white paper in every scheme of colours."""
+    paper = f'<rect width="{drawing.width}" height="{drawing.height}" fill="#ffffff"/>'
+    shapes = "".join(shape.svg() for shape in drawing.shapes)
+    names = "".join(each.svg() for each in drawing.names)
+    dark = f'<g style="--ink:#22262b">{names}</g>'
+    panel = Panel((), width=drawing.width, height=drawing.height, drawn=f"{paper}{shapes}{dark}")
+    return Chart((panel,), name, drawing.caption, drawing.caption, 1)
 
 
 def page_of(
@@ -301,6 +361,8 @@ def page_of(
             title, blocks = block.text, []
         elif isinstance(block, SentTable):
             blocks.append(table_of(block))
+        elif isinstance(block, SentDrawing):
+            blocks += [] if as_table else [drawing_of(block, f"figure-{number}")]
         elif as_table is not None:
             blocks += as_table(block)
         else:

@@ -1,7 +1,7 @@
 /** Menus that save what a page shows: figures, tables and the whole page, or copy it. */
 
 import { make } from "../page";
-import { chartOf, type ShownChart } from "../shown";
+import { chartOf, drawingsOf, type ShownChart, type ShownDrawing } from "../shown";
 import { tr } from "../words";
 import * as api from "./api";
 import { problem } from "./refusals";
@@ -9,6 +9,7 @@ import { problem } from "./refusals";
 type Block =
   | ({ kind: "chart"; caption: string } & ShownChart)
   | { kind: "table"; caption: string; header: string[]; rows: string[][]; numbers: number[] }
+  | ({ kind: "drawing"; caption: string } & Omit<ShownDrawing, "title">)
   | { kind: "text" | "heading"; text: string };
 type Form = "png" | "svg" | "pdf" | "html" | "csv" | "xlsx";
 
@@ -136,44 +137,39 @@ export function saveChart(element: Element, caption: () => string): HTMLElement 
   ]);
 }
 
+/** Drawings of a mechanism as blocks: as it is seen, or in all views that its page has. */
+function drawingBlocks(mechanism: Element, isAll: boolean): Block[] {
+  const name = tr("Mechanism of #", title());
+  return drawingsOf(mechanism, isAll).map(({ title: view, ...drawing }) => ({
+    kind: "drawing",
+    caption: isAll ? `${name}: ${view}` : name,
+    ...drawing,
+  }));
+}
+
 /** Adds a menu to a drawing of a mechanism that saves it as it is seen, names of points included. */
 export function saveDrawing(mechanism: HTMLElement): void {
-  const picture = () =>
-    new Promise<Blob>((resolve, reject) => {
-      const drawn = mechanism.querySelector("canvas")!;
-      const copy = make("canvas");
-      copy.width = drawn.width;
-      copy.height = drawn.height;
-      const context = copy.getContext("2d")!;
-      const style = getComputedStyle(mechanism);
-      context.fillStyle = getComputedStyle(document.body).backgroundColor;
-      context.fillRect(0, 0, copy.width, copy.height);
-      context.drawImage(drawn, 0, 0);
-      const [scale, box] = [drawn.width / drawn.clientWidth, drawn.getBoundingClientRect()];
-      context.scale(scale, scale);
-      context.fillStyle = style.color;
-      context.textBaseline = "middle";
-      for (const name of mechanism.querySelectorAll<HTMLElement>(".names span")) {
-        const place = name.getBoundingClientRect();
-        if (!place.width) continue;
-        context.font = getComputedStyle(name).font;
-        context.fillText(
-          textOf(name),
-          place.left - box.left + 2,
-          (place.top + place.bottom) / 2 - box.top,
-        );
-      }
-      copy.toBlob((blob) => {
-        if (blob) resolve(blob);
-        else reject(new Error(tr("The drawing has no size yet.")));
-      });
-    });
-  mechanism.querySelector(".bar")!.append(
-    menu(tr("Save this drawing"), [
-      ["PNG", async () => download(await picture(), named(`${title()} mechanism`, "png"))],
-      [tr("Copy the picture"), () => copyPicture(picture)],
-    ]),
-  );
+  const name = () => `${title()} mechanism`;
+  const blocks = (): Block[] => {
+    const drawn = drawingBlocks(mechanism, false);
+    if (!drawn.length) throw new Error(tr("The drawing has no size yet."));
+    return drawn;
+  };
+  const save = (form: Form, scale?: number) => async () =>
+    download(await file(form, name(), blocks(), scale), named(name(), form));
+  mechanism
+    .querySelector(".bar")!
+    .append(
+      menu(tr("Save this drawing"), [
+        ...SCALES.map((scale): [string, () => Promise<unknown>] => [
+          `PNG × ${scale}`,
+          save("png", scale),
+        ]),
+        ["SVG", save("svg")],
+        ["PDF", save("pdf")],
+        [tr("Copy the picture"), () => copyPicture(() => file("png", name(), blocks()))],
+      ]),
+    );
 }
 
 /** The clipboard, which browsers give only to pages of this machine or of https. */
@@ -250,7 +246,9 @@ function pageBlocks(): Block[] {
     if (!(element instanceof HTMLElement) || !isVisible(element) || element.matches(SKIPPED))
       return;
     const chart = chartOf(element);
+    const drawings = drawingBlocks(element, true);
     if (chart) blocks.push({ kind: "chart", caption: "", ...chart });
+    else if (drawings.length) blocks.push(...drawings);
     else if (element instanceof HTMLTableElement)
       blocks.push(tableOf(element, element.parentElement?.getAttribute("aria-label") ?? ""));
     else if (/^H[2-4]$/.test(element.tagName))
@@ -270,7 +268,7 @@ function pageBlocks(): Block[] {
 
 /** Controls, and what only makes sense on a screen. */
 const SKIPPED =
-  "form, nav, dialog, .form, .controls, .saving, .code, .ways, .bar, .hint, .state, .legend, .mechanism";
+  "form, nav, dialog, .form, .controls, .saving, .code, .ways, .bar, .hint, .state, .legend";
 const CONTROLS = "a, button, input, select, textarea";
 const isVisible = (element: HTMLElement): boolean =>
   !element.hidden && (element.id === "main" || element.offsetParent !== null);
