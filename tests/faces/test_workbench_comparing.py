@@ -62,7 +62,7 @@ def test_a_sweep_is_compared_with_several_rigs_and_says_what_differs(project: Pr
     assert labels(shown)[3:] == ["formula-student-front", "generic-mcpherson"]
     curves = shown.viewer.scenes[0].panes[0].curves
     assert len({curve.role for curve in curves}) == len(curves) == 5
-    differs = shown.ways["differences"]
+    differs = shown.equivalents["differences"]
     assert differs["names"] == labels(shown)
     (row,) = (row for row in differs["rows"] if row[0] == HARDPOINT)
     assert row[1:5] == ["mm", "250.0", "260.0", "270.8"]
@@ -98,7 +98,7 @@ def test_a_trial_is_driven_with_several_rigs_beside_a_saved_run(project: Project
     own, soft, stiff, run = (curve.values for curve in shown.viewer.scenes[0].panes[0].curves)
     np.testing.assert_allclose(run, stiff, rtol=1e-6, atol=1e-9)
     assert np.abs(soft).max() < np.abs(own).max() < np.abs(stiff).max()
-    assert shown.ways["differences"] == {
+    assert shown.equivalents["differences"] == {
         "names": ["as it is", "soft.toml", "stiff.toml"],
         "rows": [["strut.spring.rate", "N/mm", "22.73", "15.00", "30.00"]],
     }

@@ -43,7 +43,7 @@ def compare_files(project: Project, names: Sequence[str]) -> dict[str, Any]:
         rows += cells_of(compare_descriptions({n: each[kind] for n, each in described.items()}))[
             "rows"
         ]
-    return {"names": list(described), "rows": rows} | _ways(paths, runs)
+    return {"names": list(described), "rows": rows} | _equivalents(paths, runs)
 
 
 def _described(
@@ -89,7 +89,7 @@ def _rig_of_run(project: Project, run: Mapping[str, Any]) -> Rig:
     )
 
 
-def _ways(names: Sequence[str], runs: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
+def _equivalents(names: Sequence[str], runs: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
     """Return Python code that lists the differences between rigs; empty for others, which need more."""
     if any(name in runs or "@" in name for name in names):
         return {"python": "", "command": "", "files": {}}
