@@ -285,6 +285,15 @@ def test_what_is_shipped_says_whose_kinematics_can_be_swept(ask):
     assert status == 200
     assert has_hardpoints["kart-double-wishbone"]
     assert not has_hardpoints["kart-quarter-car"]
+    models = {one["name"]: one["model"] for one in shipped}
+    assert models["generic-mcpherson"] == "mcpherson"
+
+
+def test_what_is_shipped_has_a_drawing_and_nothing_else_does(ask):
+    status, answer = ask("GET", "/api/drawing?name=no-such-rig")
+    assert status == 422
+    assert answer["error"]["found"] == "no-such-rig"
+    assert ask("GET", "/api/drawing?name=../kart-quarter-car")[0] == 422
 
 
 def test_a_rig_is_started_changed_and_never_overwritten_unseen(ask):

@@ -854,6 +854,8 @@ def test_a_sweep_outlives_its_server_and_goes_on_where_it_was_cancelled(tmp_path
         before = until(lambda state: (state["share"] or 0.0) > 0.05)
         assert before["state"] == "running"
         assert before["left"] > 0.0
+        running = _asked(port, "GET", "/api/jobs?running=true", token=token)[1]
+        assert [one["id"] for one in running] == [name]
         _asked(port, "POST", f"/api/jobs/{name}/cancel", {}, token=token)
         assert (
             until(lambda state: state["state"] not in ("running", "cancelling"))["state"]

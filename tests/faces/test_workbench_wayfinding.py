@@ -158,6 +158,32 @@ def test_a_curve_is_found_by_name_kept_on_top_enlarged_and_read_as_a_table(
         assert "roll centre" not in first.inner_text()
 
 
+def test_a_curve_with_a_target_comes_first_and_shows_its_limits_large(
+    browser: Any, base: str
+) -> None:
+    with opened(browser, base) as it:
+        page = it.page
+        it.go("kinematics", f"rig={CORNER}")
+        page.locator(".multiples figure").first.wait_for()
+        page.get_by_label("Quantity").select_option("caster")
+        page.get_by_label("Value", exact=True).fill("4 deg")
+        page.get_by_label("Tolerance").fill("0.5 deg")
+        page.get_by_label("At a value, or over").fill("-10 mm:10 mm:10 mm")
+        page.get_by_role("button", name="Add the target").click()
+        page.locator(".multiples figure:first-child .verdict.good").wait_for()
+        assert page.locator(".multiples figure b").first.inner_text() == "caster"
+        page.locator("[data-curve=caster].enlarge").press("Enter")
+        dialog = page.get_by_role("dialog", name="Enlarged curve")
+        dialog.get_by_role("button", name="Table", exact=True).press("Enter")
+        assert dialog.locator("thead th").all_inner_texts() == [
+            "wheel travel [mm]", "caster [°]", "target, at least [°]", "target, at most [°]"
+        ]  # fmt: skip
+        row = dialog.locator("tbody tr", has_text="−10.00").locator("td").all_inner_texts()
+        assert [float(text) for text in row[1:]] == [3.5, 4.5]
+        beyond = dialog.locator("tbody tr", has_text="−12.00").locator("td").all_inner_texts()
+        assert beyond[1:] == ["–", "–"]
+
+
 def test_channels_of_a_trial_are_found_pinned_and_tabulated_alike(browser: Any, base: str) -> None:
     with opened(browser, base, locale="de-DE", viewport={"width": 390, "height": 720}) as it:
         page = it.page

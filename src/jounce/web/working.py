@@ -83,9 +83,12 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         return {**state, "report": seal(f"/api/jobs/{state['id']}/report")}
 
     @router.get("/api/jobs")
-    def every() -> list[dict[str, Any]]:
-        """Return the state of all jobs, newest first."""
-        return [with_report(state) for state in jobs.all()]
+    def every(*, running: bool = False) -> list[dict[str, Any]]:
+        """Return the state of all jobs, or of those that are running, newest first."""
+        lively = ("running", "cancelling")
+        return [
+            with_report(state) for state in jobs.all() if not running or state["state"] in lively
+        ]
 
     @router.post("/api/jobs")
     def begin(asked: Asked) -> dict[str, Any]:

@@ -139,7 +139,7 @@ function tellEnds(jobs: Job[]): void {
 
 /** Tells of the jobs that run while the workbench opens. */
 export async function tellRunning(): Promise<void> {
-  tellEnds(await get<Job[]>("/api/jobs"));
+  tellEnds(await get<Job[]>("/api/jobs?running=true"));
 }
 
 const WORDS: Record<Job["state"], string> = {

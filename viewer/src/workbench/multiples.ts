@@ -3,7 +3,7 @@
 import { at, type Model, type Numbers, type Store } from "../data";
 import { drawingOrder, lineStyle } from "../lines";
 import { colour, make, sized, whenColoursChange, written } from "../page";
-import { offerChart, type ShownChart, seeker, sorted } from "../shown";
+import { offerChart, type ShownChart, type ShownCurve, seeker, sorted } from "../shown";
 import { isGerman, localised, tr } from "../words";
 import { offer, whenPinned } from "./curves";
 import { quantity } from "./quantities";
@@ -58,18 +58,41 @@ export class Multiples {
   private chart(): ShownChart | null {
     const panels = this.ordered()
       .filter((one) => !one.box.hidden)
-      .map(({ name, unit, lines }) => ({
+      .map(({ name, unit, lines, band }) => ({
         name,
         title: quantity(name),
         unit,
-        curves: lines.map(({ label, role, y }) => ({
-          label: lines.length > 1 ? label : "",
-          role,
-          y,
-        })),
+        curves: [
+          ...lines.map(({ label, role, y }) => ({
+            label: lines.length > 1 ? label : "",
+            role,
+            y,
+          })),
+          ...(band ? this.limits(band) : []),
+        ],
       }));
     if (!panels.length) return null;
     return { x_label: this.xLabel, x: this.x, panels, window: this.ends(), columns: 2 };
+  }
+
+  /** The limits of a target that holds over a range, as curves. */
+  private limits({ at: places, low, high }: Band): ShownCurve[] {
+    const [first, last] = [places[0] ?? 0, places[places.length - 1] ?? 0];
+    const limit = (label: string, values: (number | null)[]): ShownCurve[] =>
+      places.length < 2 || values.includes(null)
+        ? []
+        : [
+            {
+              label,
+              role: "other-1",
+              y: Array.from(this.x, (x) =>
+                (x as number) < first || (x as number) > last
+                  ? null
+                  : at(places, values, x as number),
+              ),
+            },
+          ];
+    return [...limit(tr("target, at least"), low), ...limit(tr("target, at most"), high)];
   }
 
   show(model: Model, store: Store, bands: Band[]): void {
