@@ -73,6 +73,7 @@ from .design.pareto import pareto as pareto
 from .design.spread import kinematic_spread as kinematic_spread
 from .design.springs import design_springs as design_springs
 from .design.studied import design_from_study as design_from_study
+from .design.variables import design_variables as design_variables
 from .exchange.chrono import ChronoExport as ChronoExport
 from .exchange.chrono import write_chrono as write_chrono
 from .exchange.equations import Equations as Equations

@@ -25,6 +25,7 @@ from jounce.design.problem import (
     DesignProblem,
     Limit,
     LimitGiven,
+    Metric,
     StationaryEvaluator,
     combine_channels,
     design_problem,
@@ -194,6 +195,8 @@ class ParetoFront(Plain):
         The road, in words.
     findings : tuple of Finding
         Findings.
+    words : dict
+        Role to its metric with the wheels that it combines: "sprung.az, unweighted r.m.s. of front and rear".
     """
 
     metrics: dict[str, str]
@@ -207,6 +210,7 @@ class ParetoFront(Plain):
     converged: bool
     driven: str
     findings: tuple[Finding, ...]
+    words: dict[str, str]
 
     @property
     def roles(self) -> tuple[str, ...]:
@@ -232,7 +236,7 @@ class ParetoFront(Plain):
         rows = [
             [
                 "",
-                *(f"{self.metrics[role]} [{self.units[role]}]" for role in self.roles),
+                *(f"{self.words[role]} [{self.units[role]}]" for role in self.roles),
                 *self.numbers,
             ]
         ]
@@ -383,7 +387,18 @@ def pareto(  # noqa: PLR0913 - each is a choice of its own
         {path: table[:, i] for i, path in enumerate(paths)},
         {path: unit_of(rig, path) for path in paths},
         marks, converged, road_in_words(soft), (*soft.notes, *notes, *_findings(whole, converged=converged)),
+        {name: _in_words(soft.metrics[text]) for name, text in metrics.items()},
     )  # fmt: skip
+
+
+def _in_words(metric: Metric) -> str:
+    """Return a metric with the wheels that it combines, which its name does not say."""
+    places = [channel.partition(".")[0].replace("_", " ") for channel in metric.channels]
+    if len(places) < 2:
+        return metric.text
+    weighted = "unweighted " if metric.unit == "m/s^2" and metric.kind == "rms" else ""
+    how = "worst" if metric.is_worst else f"{weighted}r.m.s."
+    return f"{metric.text}, {how} of {', '.join(places[:-1])} and {places[-1]}"
 
 
 def _front(

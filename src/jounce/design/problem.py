@@ -22,6 +22,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import to_si
+from jounce.design.variables import is_constant
 from jounce.identify.fit_problem import Bounds, FreeParameter, free_parameters
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Rig
@@ -515,6 +516,12 @@ def design_problem(
 
 def numbers_of(rig: Rig, free: Mapping[str, Bounds]) -> tuple[FreeParameter, ...]:
     """Read the free parameters; reject those without effect on the model, and bounds that the schema forbids."""
+    for path in filter(is_constant, free):
+        raise DescriptionError(
+            "a constant of nature, which no design changes",
+            where=f"free: {path}",
+            allowed="e.g. springs, dampers, anti-roll bars, hardpoints",
+        )
     numbers = free_parameters(
         rig, {path: _strip_sign(bounds) for path, bounds in free.items()}, where="free"
     )

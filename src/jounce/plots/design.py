@@ -190,7 +190,7 @@ def _by_unit(front: ParetoFront) -> dict[str, list[str]]:
 
 
 def _label(front: ParetoFront, role: str) -> str:
-    unit, metric = display_unit(front.units[role]), front.metrics[role]
+    unit, metric = display_unit(front.units[role]), front.words[role]
     return unit.label(
         metric if ": " in metric else f"{_WORDS[role]}: {metric}"
     )  # a case may have any metric

@@ -203,7 +203,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     roles = front.roles
     names = {"comfort": "comfort", "holding": "road holding", "travel": "travel"}
     ends = [
-        Fact(names[role], _from_to(getattr(front, role), front.units[role]), front.metrics[role])
+        Fact(names[role], _from_to(getattr(front, role), front.units[role]), front.words[role])
         for role in roles
     ]
     state, tone = _search_outcome(
@@ -215,7 +215,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
         TableColumn("by", [mark.kind for mark in front.marks]),
         *(
             TableColumn(
-                front.metrics[role],
+                front.words[role],
                 [getattr(mark, role) for mark in front.marks],
                 front.units[role],
             )
@@ -226,7 +226,7 @@ def front_page(front: ParetoFront, *, title: str) -> Page:
     designs = (
         TableColumn("design", [str(i + 1) for i in range(len(front.comfort))]),
         *(
-            TableColumn(front.metrics[role], getattr(front, role).tolist(), front.units[role])
+            TableColumn(front.words[role], getattr(front, role).tolist(), front.units[role])
             for role in roles
         ),
         *(

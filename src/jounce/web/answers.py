@@ -119,18 +119,27 @@ def digest_of(rig: Rig) -> str:
 
 
 def describe_rig(rig: Rig, name: str) -> dict[str, Any]:
-    """Return the parameters of a rig by path: value (SI), unit, display unit and factor."""
+    """Return the parameters of a rig by path: value (SI), unit, display unit and factor, and who chooses them."""
     from jounce.core.display import display_unit
     from jounce.core.serialise import to_plain
+    from jounce.design.variables import design_variables, is_constant
     from jounce.parts import rig_findings
     from jounce.parts.rig import unit_of
 
-    numbers = []
+    numbers, chosen = [], design_variables(rig)
     for path, value in rig.parameters().items():
         si = unit_of(rig, path)
         unit = display_unit(si, abs(value))
         numbers.append(
-            {"path": path, "value": value, "si": si, "unit": unit.name, "factor": unit.factor}
+            {
+                "path": path,
+                "value": value,
+                "si": si,
+                "unit": unit.name,
+                "factor": unit.factor,
+                "is_constant": is_constant(path),
+                "is_chosen": path in chosen,
+            }
         )
     return {
         "name": name,

@@ -49,12 +49,15 @@ def test_front_shows_designs_travel_and_numbers(front):
     ]
     assert [text.get_text() for text in main.texts] == ["for comfort", "for road holding"]
     assert len(main.collections) == 1 + len(front.marks)
-    assert main.get_xlabel() == "comfort: sprung.az [m/s²]"
+    assert main.get_xlabel() == ("comfort: sprung.az, unweighted r.m.s. of front and rear [m/s²]")
 
 
 def test_a_front_of_two_metrics_shows_neither_twice(front):
     pair = replace(
-        front, metrics={**front.metrics, "travel": front.metrics["comfort"]}, travel=front.comfort
+        front,
+        metrics={**front.metrics, "travel": front.metrics["comfort"]},
+        words={**front.words, "travel": front.words["comfort"]},
+        travel=front.comfort,
     )
     main, *numbers = pareto_front(pair).axes
     assert len(numbers) == 2  # springs and dampers: no colours need a bar
@@ -62,7 +65,7 @@ def test_a_front_of_two_metrics_shows_neither_twice(front):
         np.column_stack([front.comfort, front.holding])
     )
     assert (front.roles, pair.roles) == (("comfort", "holding", "travel"), ("comfort", "holding"))
-    assert str(pair).count("sprung.az [m/s^2]") == 1
+    assert str(pair).count("sprung.az, unweighted r.m.s. of front and rear [m/s^2]") == 1
     named = replace(
         pair,
         metrics={

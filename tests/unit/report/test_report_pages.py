@@ -115,13 +115,14 @@ ROLES = ("comfort", "holding", "travel")
 
 def test_a_front_has_its_units_ends_and_texts_that_are_no_markup(tmp_path: Path) -> None:
     values = {"comfort": np.array([1.0, 2.0, np.inf]), "holding": np.array([0.3, np.nan, 0.1])}
+    names = dict(zip(ROLES, (HOSTILE, "tyre.force", "strut.deflection"), strict=True))
     front = ParetoFront(
-        dict(zip(ROLES, (HOSTILE, "tyre.force", "strut.deflection"), strict=True)),
+        names,
         dict(zip(ROLES, ("m/s^2", "1", "m"), strict=True)),
         values["comfort"], values["holding"], np.array([0.01, 0.02, 0.03]),
         {"strut.damper.coefficient": np.array([500.0, 1000.0, 1500.0])}, {"strut.damper.coefficient": "N*s/m"},
         (ParetoMark("best for " + "漢" * 300, "searched", {"strut.damper.coefficient": 700.0}, 1.1, 0.2, 0.015),),
-        False, "a road, G_d = 1e-6 m^3", (),
+        False, "a road, G_d = 1e-6 m^3", (), names,
     )  # fmt: skip
     page = front_page(front, title=HOSTILE)
     beside, every = (block for block in page.blocks() if isinstance(block, PageTable))

@@ -72,6 +72,7 @@ export interface ParetoFront {
   converged: boolean;
   driven: string;
   findings: Finding[];
+  words: Record<string, string>;
 }
 
 export interface Trend {

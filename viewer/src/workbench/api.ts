@@ -27,6 +27,10 @@ export interface RigNumber {
   si: string;
   unit: string;
   factor: number;
+  /** A constant of nature, which nobody changes. */
+  is_constant: boolean;
+  /** A spring, a damper, a hardpoint: what a designer chooses, unlike masses or the track. */
+  is_chosen: boolean;
 }
 export interface Rig {
   name: string;

@@ -7,6 +7,7 @@ import { moment } from "./drafts";
 import { notify } from "./notices";
 import { InTurn, problem, snippets } from "./parts";
 import { type Finding, learnt, Refused } from "./refusals";
+import { address } from "./shell";
 
 export interface Step {
   evaluation: number;
@@ -200,6 +201,20 @@ function inputsOf({ asked }: Job): string {
   );
 }
 
+/** Opens the form of a job with what was asked, by kind. */
+const CHANGED: Record<string, (job: Job) => void> = {
+  compare: (job) => {
+    const set = JSON.stringify(job.asked.changes ?? {});
+    location.hash = address("ride", { again: job.id, ...(set === "{}" ? {} : { set }) });
+  },
+  pareto: (job) => {
+    location.hash = address("ride", { again: job.id });
+  },
+  campaign: (job) => {
+    location.hash = address("campaign", { file: String(job.asked.campaign) });
+  },
+};
+
 /** Card of one job: its task, progress, errors and actions. */
 export class JobCard {
   readonly element = make("article", { class: "job" });
@@ -271,25 +286,25 @@ export class JobCard {
       });
       return button;
     };
-    const opens = () => {
-      const button = make(
-        "button",
-        { type: "button", class: "main", "aria-label": `Show the results: ${titled(job.title)}` },
-        "Show the results",
-      );
-      button.addEventListener("click", () => this.open!(this.job));
+    const goes = (text: string, does: (job: Job) => void) => {
+      const named = `${text}: ${titled(job.title)}`,
+        button = make("button", { type: "button", class: "main", "aria-label": named }, text);
+      button.addEventListener("click", () => does(this.job));
       return button;
     };
     const path = `/api/jobs/${encodeURIComponent(job.id)}`;
     this.actions.replaceChildren(
       ...(job.state === "running" ? [act("Cancel", () => send("POST", `${path}/cancel`, {}))] : []),
-      ...(this.open && (job.state === "done" || job.kind === "sweep") ? [opens()] : []),
+      ...(this.open && (job.state === "done" || job.kind === "sweep")
+        ? [goes("Show the results", this.open)]
+        : []),
       ...(!isRunning && job.state !== "done"
         ? [
+            ...(job.kind in CHANGED ? [goes("Change and start again", CHANGED[job.kind]!)] : []),
             act(
               job.kind === "sweep" ? "Resume" : "Restart",
               () => send("POST", `${path}/again`, {}),
-              true,
+              !(job.kind in CHANGED),
             ),
           ]
         : []),

@@ -302,7 +302,17 @@ export class Sliders {
       { "aria-label": tr("another parameter") },
       make("option", { value: "" }, tr("another parameter …")),
     );
-    for (const { path } of rig.numbers) choice.append(make("option", { value: path }, path));
+    const changed = rig.numbers.filter((one) => !one.is_constant);
+    for (const [label, isChosen] of [
+      [tr("springs, dampers, hardpoints"), true],
+      [tr("masses, tyres and sizes"), false],
+    ] as const) {
+      const own = changed.filter((one) => one.is_chosen === isChosen);
+      if (own.length)
+        choice.append(
+          make("optgroup", { label }, ...own.map(({ path }) => make("option", {}, path))),
+        );
+    }
     choice.addEventListener("change", () => {
       const one = known.get(choice.value);
       if (one) this.add(one);

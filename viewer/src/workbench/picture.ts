@@ -1,7 +1,7 @@
 /** Small drawings of pages: elements of SVG, and a plane with its axes. */
 
-import { written } from "../page";
 import { heard } from "../words";
+import { short, ticks } from "./multiples";
 
 export type Attributes = Record<string, string | number>;
 
@@ -25,6 +25,12 @@ export interface Plane {
   at: (x: number, y: number) => [number, number];
 }
 
+/** Round numbers along an axis: their values (SI), and their texts in its unit. */
+function marked({ ends: [low, high], factor = 1 }: Axis): [number, string][] {
+  const round = ticks(low * factor, high * factor, 7);
+  return round.map((value) => [value / factor, short(value)]);
+}
+
 export function plane(x: Axis, y: Axis, attributes: Attributes): Plane {
   const [width, height, left, foot] = [560, 340, 66, 40];
   const [[x0, x1], [y0, y1]] = [x.ends, y.ends];
@@ -32,17 +38,24 @@ export function plane(x: Axis, y: Axis, attributes: Attributes): Plane {
     left + ((width - left - 12) * (a - x0)) / (x1 - x0),
     height - foot - ((height - foot - 10) * (b - y0)) / (y1 - y0),
   ];
-  const tick = (axis: Axis, value: number, place: Attributes) =>
-    svg("text", place, written(value * (axis.factor ?? 1), 3));
-  const below = height - foot + 16,
-    middle = { "text-anchor": "middle" };
+  const middle = { "text-anchor": "middle" };
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, class: "xy", ...attributes });
   picture.append(
     svg("path", { class: "axis", d: `M${left} 6V${height - foot}H${width - 8}` }),
-    tick(x, x0, { x: left, y: below }),
-    tick(x, x1, { x: width - 12, y: below, "text-anchor": "end" }),
-    tick(y, y0, { x: left - 5, y: height - foot, "text-anchor": "end" }),
-    tick(y, y1, { x: left - 5, y: 20, "text-anchor": "end" }),
+    ...marked(x).flatMap(([value, text]) => {
+      const [across, foot_] = at(value, y0);
+      return [
+        svg("path", { class: "axis", d: `M${across} ${foot_}v4` }),
+        svg("text", { x: across, y: foot_ + 16, ...middle }, text),
+      ];
+    }),
+    ...marked(y).flatMap(([value, text]) => {
+      const [edge, up] = at(x0, value);
+      return [
+        svg("path", { class: "axis", d: `M${edge} ${up}h-4` }),
+        svg("text", { x: edge - 6, y: up + 4, "text-anchor": "end" }, text),
+      ];
+    }),
     svg("text", { x: (left + width) / 2, y: height - 8, ...middle }, x.label),
     svg(
       "text",

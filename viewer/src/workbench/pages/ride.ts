@@ -178,6 +178,16 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   );
   const [folder] = await Promise.all([api.folder(), search.loaded]),
     state = () => ({ drive: driven(), search: search.state() });
+  const again = values.get("again");
+  if (again)
+    try {
+      const { kind, asked } = await whole(again);
+      if (kind === "pareto") await search.restore(searched(asked));
+      else enter(driving, driveOf(asked, boxes));
+      (kind === "pareto" ? search.element : form).scrollIntoView();
+    } catch (error) {
+      said.replaceChildren(problem(error));
+    }
   if (!place.isConnected) return;
   drafts = new Drafts(
     folder,
@@ -290,6 +300,48 @@ interface Searched {
   form: Record<string, string>;
   rows: string[][];
 }
+const DAMPING = "N*s/m",
+  MOST_PROPOSED = 4; // two axles, bump and rebound
+
+/** Bounds that are proposed for a parameter, in its unit: a third to three times its value; of a hardpoint 30 mm. */
+function usualBounds(own?: api.RigNumber): string {
+  if (!own || (!own.value && own.si !== "m")) return "";
+  const value = own.value * own.factor,
+    [low, high] = /hardpoints\./.test(own.path)
+      ? [value - 0.03 * own.factor, value + 0.03 * own.factor]
+      : [0.3 * value, 3 * value].sort((a, b) => a - b),
+    short = (end: number) => Number(end.toPrecision(3));
+  return `${short(low!)}..${short(high!)} ${own.unit}`.trim();
+}
+
+/** What a ride was asked for, as its form has it. */
+function driveOf(
+  asked: Record<string, unknown>,
+  boxes: HTMLInputElement[],
+): Record<string, string> {
+  const control = asked.control as string[],
+    texts = ["vehicle", "road", "speed", "duration", "seed"].map((name) => [
+      name,
+      String(asked[name] ?? ""),
+    ]),
+    chosen = boxes.map((one) => [`control ${one.value}`, String(control.includes(one.value))]);
+  return Object.fromEntries([...texts, ...chosen]);
+}
+
+/** What a search was asked for, as its form has it. */
+function searched(asked: Record<string, unknown>): Searched {
+  const limits = asked.limit as Record<string, string>;
+  return {
+    form: {
+      vehicle: String(asked.vehicle),
+      road: String(asked.road),
+      speed: String(asked.speed),
+      points: String(asked.points ?? ""),
+      limit: limits["strut.deflection"] ?? "",
+    },
+    rows: Object.entries(asked.free as Record<string, string>),
+  };
+}
 
 function pareto(
   rigs: string[],
@@ -315,11 +367,7 @@ function pareto(
   const more = make("button", { type: "button" }, "Add a parameter"),
     go = make("button", { type: "button", class: "main" }, "Search");
   let numbers: api.RigNumber[] = [];
-  const add = (path = "") => {
-    const own = numbers.find((one) => one.path === path),
-      bounds = own
-        ? `${Number((0.3 * own.value * own.factor).toPrecision(3))}..${Number((3 * own.value * own.factor).toPrecision(3))} ${own.unit}`
-        : "";
+  const add = (path = "", bounds = usualBounds(numbers.find((one) => one.path === path))) => {
     const which = make("input", {
         type: "text",
         value: path,
@@ -333,7 +381,17 @@ function pareto(
         placeholder: "low..high unit, or ±30 %",
         "aria-label": "bounds",
       });
-    rows.append(make("div", { class: "bar pair" }, which, within));
+    which.addEventListener("change", () => {
+      within.value = usualBounds(numbers.find((one) => one.path === which.value.trim()));
+    });
+    const away = make(
+      "button",
+      { type: "button", "aria-label": tr("remove #", path || tr("this parameter")) },
+      "×",
+    );
+    const row = make("div", { class: "bar pair" }, which, within, away);
+    away.addEventListener("click", () => row.remove());
+    rows.append(row);
   };
   const load = async () => {
     const name = vehicle.value;
@@ -344,8 +402,10 @@ function pareto(
       const found = await api.rig(name);
       if (vehicle.value !== name) return; // another one was chosen meanwhile
       numbers = found.numbers;
-      paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
-      add(numbers.find((one) => /damper\.coefficient$/.test(one.path))?.path ?? numbers[0]?.path);
+      const chosen = numbers.filter((one) => one.is_chosen),
+        dampers = chosen.filter((one) => one.si === DAMPING).slice(0, MOST_PROPOSED);
+      paths.replaceChildren(...chosen.map((one) => make("option", { value: one.path })));
+      for (const { path } of dampers.length ? dampers : chosen.slice(0, 1)) add(path);
       more.disabled = go.disabled = false;
     } catch (error) {
       if (vehicle.value === name) said.replaceChildren(problem(error));
@@ -396,10 +456,7 @@ function pareto(
     enter(controls, was.form);
     await loaded;
     rows.replaceChildren();
-    for (const [path, within] of was.rows) {
-      add(path);
-      rows.lastElementChild!.querySelectorAll("input")[1]!.value = within ?? "";
-    }
+    for (const [path, within] of was.rows) add(path, within);
   };
   return {
     loaded,
@@ -511,11 +568,30 @@ function merits(found: Compared): HTMLElement[] {
       make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason)),
     ),
     ...advised(
-      found.runs.flatMap((one) => one.findings),
+      found.runs.flatMap((one) =>
+        one.findings.map((finding) => ({
+          ...finding,
+          place: [one.control, finding.place].filter(Boolean).join(", "),
+        })),
+      ),
       "p",
     ),
   ];
 }
+
+/** A metric with the wheels that it combines, in the language of the page. */
+const metricSaid = (words: string): string =>
+  words.replace(
+    /, (unweighted r\.m\.s\.|r\.m\.s\.|worst) of (.+)$/,
+    (_, how: string, wheels: string) =>
+      `, ${tr(
+        `${how} of #`,
+        wheels
+          .split(/(, | and )/)
+          .map((part) => tr(part))
+          .join(""),
+      )}`,
+  );
 
 /** The front as points that open as rides, with the present rig and single optimum dampers. */
 function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[] {
@@ -557,7 +633,7 @@ function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[
     const [unit, factor] = shownUnit(found.units[role]!);
     return {
       ends: ends(points.map((one) => one[role])),
-      label: `${found.metrics[role]} [${unit}]`,
+      label: `${metricSaid(found.words[role]!)} [${unit}]`,
       factor,
     };
   };
@@ -599,7 +675,9 @@ function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[
       "designs",
       [
         "design",
-        ...ROLES.map((role) => `${found.metrics[role]} [${shownUnit(found.units[role]!)[0]}]`),
+        ...ROLES.map(
+          (role) => `${metricSaid(found.words[role]!)} [${shownUnit(found.units[role]!)[0]}]`,
+        ),
         ...numbers.map((path) => `${path} [${shownUnit(found.number_units[path]!)[0]}]`),
         "",
       ],
@@ -613,9 +691,6 @@ function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[
       ]),
       [...ROLES, ...numbers].map((_, k) => k + 1),
     ),
-    ...advised(
-      found.findings.map((one) => ({ ...one, place: "" })),
-      "p",
-    ),
+    ...advised(found.findings, "p"),
   ];
 }

@@ -263,15 +263,16 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       const found = await api.rig(name);
       if (rig.value !== name) return; // another one was chosen meanwhile
       numbers = found.numbers;
-      paths.replaceChildren(...numbers.map((one) => make("option", { value: one.path })));
+      const varied = numbers.filter((one) => !one.is_constant);
+      paths.replaceChildren(...varied.map((one) => make("option", { value: one.path })));
       const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter(
         (path) => numbers.some((one) => one.path === path),
       );
       for (const path of usual.length
         ? usual
-        : numbers
-            .filter((one) => one.path !== "gravity")
-            .slice(0, 2)
+        : varied
+            .filter((one) => one.is_chosen)
+            .slice(0, 4)
             .map((one) => one.path))
         add(path);
       isLoaded = true;
