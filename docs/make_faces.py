@@ -39,7 +39,6 @@ from jounce.design.optimisation_study import OptimisationStudy
 from jounce.design.pareto import ParetoFront
 from jounce.identify.decay import DecayEstimates
 from jounce.identify.stiffness import TrialStiffness
-from jounce.identify.update import Identifiability, UpdatedParameter
 from jounce.inspection.archive.history import Trend
 from jounce.inspection.limits import Limits
 from jounce.inspection.methods import METHODS, QUANTITIES
@@ -378,8 +377,6 @@ ANSWERED = (
     Version,
     FormProblem,
     Form,
-    Identifiability,
-    UpdatedParameter,
     ParetoFront,
     Trend,
 )

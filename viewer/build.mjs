@@ -17,6 +17,15 @@ const page = process.argv[2]
 rmSync(page, { recursive: true, force: true }); // scripts of earlier builds
 for (const folder of [out, page]) mkdirSync(folder, { recursive: true });
 
+/** Styles of a report's blocks, for the part of the workbench that shows a report. */
+const reported = {
+  name: "reported",
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /templates.blocks\.css$/ }, ({ path }) => ({
+      contents: `.reported {\n${readFileSync(path, "utf8")}}`,
+      loader: "css",
+    })),
+};
 const bundled = (entryPoints, outdir, options) =>
   build({
     absWorkingDir: here,
@@ -24,6 +33,7 @@ const bundled = (entryPoints, outdir, options) =>
     bundle: true,
     minify: true,
     target: ["es2022"],
+    plugins: [reported],
     charset: "utf8",
     legalComments: "none", // licences.txt has them whole
     outdir,
@@ -42,6 +52,7 @@ const app = await bundled({ app: "src/workbench/start.ts" }, page, {
   splitting: true,
   entryNames: "[name]-[hash]",
   chunkNames: "[name]-[hash]",
+  target: ["es2022", "chrome111", "firefox110", "safari16.4"], // their style sheets have no nested rules
 });
 for (const file of app.outputFiles) writeFileSync(file.path, file.text);
 const html = readFileSync(join(here, "src/workbench/index.html"), "utf8").replace(
@@ -84,6 +95,7 @@ const sources = [
   "package.json",
   "package-lock.json",
   "tsconfig.json",
+  ...["blocks", "chart", "colours"].map((name) => `../src/jounce/report/templates/${name}.css`),
   ...readdirSync(join(here, "src"), { recursive: true, withFileTypes: true })
     .filter((one) => one.isFile())
     .map((one) => relative(here, join(one.parentPath, one.name)).replaceAll("\\", "/"))

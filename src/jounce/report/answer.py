@@ -169,7 +169,7 @@ def answer_table(parameters: tuple[Answer, ...], name: str, trials: int) -> Page
         cells += [unit.name or "–", _word(row)]
         rows.append(tuple(cells))
     header = ["parameter", "rig file", "bench", "updated model"]
-    header += ["the part, with model error"] * laws + ["truth"] * truth + ["unit", "of the part"]
+    header += ["the part, with model error"] * laws + ["truth"] * truth + ["unit", "part value"]
     note = (
         "Below each value: its 95 % interval; of the updated model that of the noise only. "
         * bool(rows)
@@ -215,7 +215,7 @@ def _word(row: Answer) -> Cell | str:
             else Cell("not identified", "fair", row.law.why)
         )
     if row.updated is not None:
-        return Cell("not said", "muted", "noise only: fewer than three trials fitted")
+        return Cell("not available", "muted", "noise only: fewer than three trials fitted")
     return Cell("bench only", "muted") if row.bench is not None else "–"
 
 

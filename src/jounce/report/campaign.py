@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from jounce.campaign.description import TrialEntry
     from jounce.campaign.result import CampaignResult
     from jounce.campaign.strategy_result import StrategyResult
-    from jounce.campaign.trial_result import TrialResult
+    from jounce.campaign.trial_result import ChannelComparison, TrialResult
     from jounce.design.model_comparison import ModelComparison, PeakDifference
     from jounce.identify.discrepancy import Discrepancy
     from jounce.identify.passages import Sought
@@ -668,7 +668,14 @@ def curves(result: CampaignResult) -> Section:
         parts: list[Block] = [] if sought is None else [_sought(sought, trial.entry.number)]
         if scene is not None:
             parts.insert(0, trial_chart(scene, trial))
-        blocks.append(Details(_heading(trial), tuple(parts or [lost])))
+        blocks.append(
+            Details(
+                _heading(trial),
+                tuple(parts or [lost]),
+                note=_fit_figures(trial),
+                show=scene.name if scene is not None else "",
+            )
+        )
     if not result.trials:
         blocks.append(Paragraph("This campaign contains no trial."))
     return Section("Curves", tuple(blocks))
@@ -715,6 +722,20 @@ def _heading(trial: TrialResult) -> str:
         parts.append(setting_text(entry.speed, "m/s", "speed"))
     parts.append(f"road {entry.road}" if entry.road is not None else _road_or_motion(entry))
     return f"{', '.join(parts)}: {verdict(trial)}"
+
+
+def _fit_figures(trial: TrialResult) -> str:
+    """Return how well the worst channel of a trial fits, before and after updating."""
+    if trial.after is None or not trial.after.channels:
+        return ""
+    name, channel = min(trial.after.channels.items(), key=lambda item: item[1].r2)
+    before = trial.before.channels.get(name) if trial.before is not None else None
+    first = "" if before is None else f"{_r2(before)} → "
+    return f"{name}: R² {first}{_r2(channel)}, NRMSE {number(channel.nrmse, 2)}"
+
+
+def _r2(channel: ChannelComparison) -> str:
+    return f"{channel.r2:.3f}".replace("-", "−")
 
 
 def _roads_of(result: CampaignResult) -> dict[str, Road]:

@@ -7,8 +7,10 @@ page defines for light, dark and print. Only screen coordinates are computed her
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass, field
 from html import escape
+from pathlib import Path
 from typing import Literal
 
 import numpy as np
@@ -21,13 +23,11 @@ Style = Literal[
     "line", "dashed", "dotted", "dash-dotted", "long-dashed", "two-dotted", "wide-dotted", "thick",
     "dots", "squares", "rings", "diamonds", "crosses",
 ]  # fmt: skip
-_DASHES: dict[str, tuple[int, ...]] = {
-    "dashed": (5, 3),
-    "dotted": (2, 3),
-    "dash-dotted": (8, 3, 2, 3),
-    "long-dashed": (12, 4),
-    "two-dotted": (8, 3, 2, 3, 2, 3),
-    "wide-dotted": (2, 7),
+CSS = (Path(__file__).parent / "templates" / "chart.css").read_text(encoding="utf-8")
+"""Colours and lines of a chart's classes, also for the workbench."""
+_DASHES = {
+    name: [int(length) for length in lengths.split()]
+    for name, lengths in re.findall(r"\.chart \.([\w-]+)\{stroke-dasharray:([\d ]+)\}", CSS)
 }
 """Lengths of dashes and gaps of line styles, px."""
 LINES: dict[str, Style] = {
@@ -406,31 +406,3 @@ SCALED_CSS = (
     )
 )
 """Line widths of scaled paths, for SVG renderers without `vector-effect`."""
-CSS = (
-    """
-.chart text{font:12px system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",Arial,sans-serif;fill:var(--ink)}
-.chart .title{font-weight:650}.chart .note{fill:var(--muted);font-size:11px}.chart .paper{fill:var(--paper)}
-.chart text.bad{fill:var(--bad);font-size:11px}
-.chart .grid{stroke:var(--line);fill:none}.chart .axis{stroke:var(--edge);fill:none}.chart .span{fill:var(--span)}
-.chart .l{fill:none;stroke:var(--muted);stroke-width:1.4;vector-effect:non-scaling-stroke;stroke-linejoin:round}
-.chart .m{fill:var(--muted);stroke:none}.chart .thick{stroke-width:3}
-.chart .l.measured{stroke:var(--measured);stroke-width:2}.chart .l.before{stroke:var(--before)}
-.chart .l.after{stroke:var(--after)}.chart .l.thick{stroke-width:3.5}
-.chart .m.measured{fill:var(--measured)}.chart .m.before{fill:var(--before)}.chart .m.after{fill:var(--after)}
-.chart .l.bad{stroke:var(--bad)}.chart .m.bad{fill:var(--bad)}
-"""
-    + "".join(
-        f".chart .{name}{{stroke-dasharray:{' '.join(map(str, dash))}}}"
-        for name, dash in _DASHES.items()
-    )
-    + "".join(
-        f".chart .l.other-{k}{{stroke:var(--other-{k})}}.chart .m.other-{k}{{fill:var(--other-{k})}}"
-        for k in range(1, 7)
-    )
-    + ".chart .m.rings{fill:var(--paper);stroke:var(--muted);stroke-width:1.6}"
-    + "".join(
-        f".chart .m.rings.{role}{{stroke:var(--{role})}}"
-        for role in ("measured", "before", "after", *(f"other-{k}" for k in range(1, 7)))
-    )
-    + ".chart .m.crosses{stroke:var(--bad);stroke-width:1.8;fill:none}\n"
-)

@@ -123,7 +123,10 @@ def _plain(block: Block, figures: Mapping[str, Mapping[str, bytes]]) -> dict[str
         return {"kind": kind, "groups": groups}
     if isinstance(block, Viewer):
         return None  # an animation; its figures are separate blocks
-    title = block.summary if isinstance(block, Details) else block.title
+    if isinstance(block, Details):
+        title = f"{block.summary} ({block.note})" if block.note else block.summary
+    else:
+        title = block.title
     return {"kind": "Group", "title": title, "blocks": _blocks(block.blocks, figures)}
 
 

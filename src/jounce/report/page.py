@@ -191,12 +191,17 @@ class Findings:
 
 @dataclass(frozen=True)
 class Details:
-    """Collapsible blocks, expanded in print; without a heading if they replace an animation there."""
+    """Collapsible blocks, expanded in print; without a heading if they replace an animation there.
+
+    ``note`` is shown beside the summary; ``show`` is the scene of a viewer whose curves the blocks contain.
+    """
 
     summary: str
     blocks: tuple[Block, ...]
     is_open: bool = False
     is_still: bool = False
+    note: str = ""
+    show: str = ""
 
 
 Block: TypeAlias = (

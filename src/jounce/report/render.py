@@ -310,6 +310,7 @@ def fill_template(template: str, viewers: Sequence[Viewer], **content: Any) -> s
         .render(
             css=_css("colours")
             + _css("figures")
+            + (_css("blocks") if template == "page" else "")
             + _css(template)
             + CSS
             + (bundle("viewer.css") if viewers else ""),

@@ -226,6 +226,8 @@ def test_the_bundle_is_made_from_the_sources_that_stand_here() -> None:
     if not folder.is_dir():
         pytest.skip("the sources of the viewer are not here")
     sources = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json"]
+    styles = ("blocks", "chart", "colours")
+    sources += [f"../src/jounce/report/templates/{name}.css" for name in styles]
     sources += sorted(
         file.relative_to(folder).as_posix()
         for file in (folder / "src").rglob("*")

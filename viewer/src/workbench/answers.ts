@@ -39,27 +39,6 @@ export interface Form {
   command: string;
 }
 
-export interface Identifiability {
-  parameters: string[];
-  sensitivity: number[];
-  singular_values: number[];
-  rank: number;
-  condition: number;
-  correlation: number[][];
-  findings: Finding[];
-}
-
-export interface UpdatedParameter {
-  initial: number;
-  value: number;
-  standard_error: number | null;
-  interval: [number, number] | null;
-  lower: number;
-  upper: number;
-  at_bound: boolean;
-  unit: string;
-}
-
 export interface ParetoFront {
   metrics: Record<string, string>;
   units: Record<string, string>;
@@ -83,15 +62,6 @@ export interface Trend {
   visits: number;
 }
 
-export interface Finding {
-  place: string;
-  severity: "note" | "warning" | "problem";
-  message: string;
-  value: number | null;
-  code: string;
-  numbers: Record<string, unknown>;
-}
-
 export interface ParetoMark {
   name: string;
   kind: "present" | "closed form" | "searched";
@@ -99,4 +69,13 @@ export interface ParetoMark {
   comfort: number;
   holding: number;
   travel: number;
+}
+
+export interface Finding {
+  place: string;
+  severity: "note" | "warning" | "problem";
+  message: string;
+  value: number | null;
+  code: string;
+  numbers: Record<string, unknown>;
 }

@@ -1,7 +1,7 @@
 /** German of what is computed, by its English words: quantities of the catalogues, channels, parts, and the keys of forms. */
 
 import type { Store } from "../data";
-import { isGerman } from "../words";
+import { isGerman, tr } from "../words";
 import generated from "./quantities.json"; // written by `make faces`
 import { TERMS } from "./terms";
 
@@ -64,11 +64,11 @@ export function inWords(store: Store): Store {
   if (isGerman) {
     for (const model of store.content.viewers) {
       model.x.words = spoken(model.x.words);
-      for (const role of model.roles) role.label = spoken(role.label);
+      for (const role of model.roles) role.label = tr(spoken(role.label));
       for (const scene of model.scenes)
         for (const pane of scene.panes) {
           pane.words = spoken(pane.words);
-          for (const curve of pane.curves) curve.label = spoken(curve.label);
+          for (const curve of pane.curves) curve.label = tr(spoken(curve.label));
         }
     }
   }

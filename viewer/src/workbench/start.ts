@@ -2,6 +2,8 @@
 
 import { language } from "./language";
 import "uplot/dist/uPlot.min.css";
+import "../../../src/jounce/report/templates/blocks.css";
+import "../../../src/jounce/report/templates/chart.css";
 import "../../../src/jounce/report/templates/colours.css";
 import "../viewer.css";
 import "./workbench.css";

@@ -2,7 +2,6 @@
 
 import { make, withInterval, written } from "../../page";
 import { heard, tr } from "../../words";
-import type { Identifiability, UpdatedParameter } from "../answers";
 import * as api from "../api";
 import { Drafts, enter, entered, typedIn } from "../drafts";
 import {
@@ -10,6 +9,7 @@ import {
   ask,
   begin,
   dropZone,
+  failures,
   JobCard,
   jobList,
   Question,
@@ -21,7 +21,8 @@ import { field, once, problem, select, snippets, textBox } from "../parts";
 import { line, svg } from "../picture";
 import { ESTIMATES } from "../quantities";
 import { type Fields, Reading } from "../reading";
-import { advised, asSaid } from "../refusals";
+import { advised, asSaid, type Finding } from "../refusals";
+import { reported } from "../reported";
 import { address, goTo, type Values } from "../shell";
 import { table } from "../table";
 
@@ -748,63 +749,9 @@ function entry(
   };
 }
 
-interface Compared {
-  channels: Record<string, { nrmse: number | null; r2: number | null }>;
-  verdict?: string;
-}
 interface Results {
-  synthetic: string;
-  findings: { place: string; severity: string; message: string }[];
-  characterisation: {
-    replaced: {
-      path: string;
-      described: number;
-      measured: number;
-      standard_error: number | null;
-      source: string;
-    }[];
-  };
-  updates: {
-    name: string;
-    objective_before: number;
-    objective_after: number;
-    reduction_percent: number;
-    evaluations: number;
-    parameters: Record<string, UpdatedParameter>;
-    identifiability: Identifiability;
-    trials: number[];
-    comparisons: {
-      number: number;
-      is_fitted: boolean;
-      before: Compared | null;
-      after: Compared | null;
-    }[];
-    discrepancy: {
-      objective: number;
-      parameters: Record<
-        string,
-        {
-          value: number;
-          interval: [number, number];
-          component: { value: number };
-          effective: { value: number };
-          why: string;
-        }
-      >;
-    } | null;
-  }[];
-  trials: {
-    number: number;
-    use: string;
-    speed: number | null;
-    verdict: string;
-    channels: Record<string, { nrmse: number | null; r2: number | null; iso18571: number | null }>;
-    before: Compared | null;
-  }[];
+  findings: Finding[];
 }
-const RANK = ["problem", "warning", "note"]; // what may make a verdict wrong comes first
-const TONE: Record<string, string> = { holds: "good", "holds partly": "fair" };
-const tone = (verdict: string) => TONE[verdict] ?? (/not|fail/.test(verdict) ? "bad" : "fair");
 
 async function showRun(place: HTMLElement, id: string): Promise<void> {
   const first = await whole<Results>(id),
@@ -834,22 +781,36 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
     first,
     (job) => {
       card.show(job);
-      if (card.job.steps?.length)
-        live.replaceChildren(search(card.job.steps, card.job.state === "running", units));
+      const runs = card.job.state === "running" && card.job.steps?.length;
+      live.replaceChildren(...(runs ? [search(card.job.steps, units)] : []));
     },
     (end) => {
-      if (end.result)
-        results.replaceChildren(
-          ...answer(end.result, units),
-          updated(end.out),
-          ...(end.has_page ? [report(end.report, "Report")] : []),
-        );
+      if (!end.result) return;
+      const shown = make("div", {}, make("p", { class: "state" }, "loading …"));
+      results.replaceChildren(updated(end.out), shown);
+      if (!end.has_page) {
+        shown.replaceChildren(make("p", { class: "problem" }, "The report was not written."));
+        shown.append(...failures(end.result));
+        return;
+      }
+      reported(end.report, end.result.findings).then(
+        (page) => shown.replaceChildren(page, inNewTab(end.report)),
+        (error) => shown.replaceChildren(problem(error)),
+      );
     },
   );
 }
 
+/** The report as its own document, to print or to pass on. */
+const inNewTab = (address: string): HTMLElement =>
+  make(
+    "p",
+    {},
+    make("a", { href: address, target: "_blank", rel: "noopener" }, "The report as a document"),
+  );
+
 /** A running search: its objective over the steps, and each parameter between its bounds. */
-function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
+function search(steps: Step[], units: Units): HTMLElement {
   const last = steps[steps.length - 1]!,
     logs = steps.map((one) => Math.log10(Math.max(one.objective, 1e-300)));
   const low = Math.min(...logs),
@@ -897,7 +858,7 @@ function search(steps: Step[], runs: boolean, units: Units): HTMLElement {
   return make(
     "section",
     { class: "job" },
-    make("h3", {}, runs ? "Search in progress" : "Last search"),
+    make("h3", {}, "Search in progress"),
     figure,
     table(
       "parameters",
@@ -936,183 +897,6 @@ function updated(folder: string): HTMLElement {
     () => {},
   ); // the results stand all the same
   return section;
-}
-
-function answer(found: Results, units: Units): HTMLElement[] {
-  const mean = (one: Compared | null) => {
-    const all = Object.values(one?.channels ?? {})
-      .map((channel) => channel.nrmse)
-      .filter((value): value is number => value !== null);
-    return all.length ? all.reduce((a, b) => a + b) / all.length : null;
-  };
-  const shown: HTMLElement[] = [];
-  if (found.synthetic) shown.push(make("p", { class: "mark fair" }, found.synthetic));
-  shown.push(
-    make("h2", {}, "Verdicts"),
-    table(
-      "verdicts",
-      ["trial", "use", "speed [m/s]", "error of the channels (NRMSE)", "verdict"],
-      found.trials.map((one) => [
-        String(one.number),
-        tr(one.use),
-        written(one.speed),
-        Object.entries(one.channels)
-          .map(([name, channel]) => `${name} ${written(channel.nrmse, 3)}`)
-          .join(", "),
-        make("span", { class: `mark ${tone(one.verdict)}` }, one.verdict),
-      ]),
-    ),
-  );
-  if (found.characterisation.replaced.length)
-    shown.push(
-      make("h2", {}, "Measured parts"),
-      table(
-        "measured parts",
-        ["parameter", "unit", "in the rig's file", "measured", "standard error", "from"],
-        found.characterisation.replaced.map((one) => {
-          const { unit, factor } = units(one.path);
-          return [
-            one.path,
-            unit,
-            written(one.described * factor),
-            written(one.measured * factor),
-            one.standard_error === null ? "–" : written(one.standard_error * factor, 2),
-            one.source,
-          ];
-        }),
-        [2, 3, 4],
-      ),
-    );
-  for (const one of found.updates) {
-    shown.push(
-      make("h2", {}, `Update: ${one.name}`),
-      make(
-        "p",
-        {},
-        `The objective fell by ${written(one.reduction_percent, 3)} %, from ${written(one.objective_before)} to ${written(one.objective_after)}, in ${one.evaluations} evaluations on trial ${one.trials.join(", ")}.`,
-      ),
-      table(
-        "parameters",
-        [
-          "parameter",
-          "unit",
-          "initial",
-          "value",
-          ...(one.discrepancy
-            ? ["part / model", "95 % interval, with model error"]
-            : ["95 % interval, noise only"]),
-          "bounds",
-          "status",
-        ],
-        Object.entries(one.parameters).map(([path, p]) => {
-          const law = one.discrepancy?.parameters[path];
-          const { unit, factor } = units(path);
-          const readings = law
-            ? [law.component, law.effective]
-                .map((reading) => written(reading.value * factor))
-                .join(" / ")
-            : "–";
-          const [value, interval] = estimated(
-            law?.value ?? p.value,
-            law?.interval ?? p.interval,
-            factor,
-            5,
-          );
-          return [
-            path,
-            unit,
-            written(p.initial * factor),
-            value!,
-            ...(one.discrepancy ? [readings] : []),
-            interval!,
-            `${written(p.lower * factor)} … ${written(p.upper * factor)}`,
-            p.at_bound
-              ? make("span", { class: "mark fair" }, "at its bound")
-              : law?.why
-                ? make("span", { class: "mark bad" }, `not identified: ${law.why}`)
-                : law
-                  ? make("span", { class: "mark good" }, "identified")
-                  : "–",
-          ];
-        }),
-        one.discrepancy ? [2, 3, 4, 5, 6] : [2, 3, 4, 5],
-      ),
-      ...(one.discrepancy
-        ? [
-            make(
-              "p",
-              { class: "muted" },
-              `With all uncertain parameters fitted, ${written(100 * one.discrepancy.objective, 2)} % of the residual energy remains.`,
-            ),
-          ]
-        : []),
-      make("h3", {}, "Identifiability"),
-      make(
-        "p",
-        { class: "muted" },
-        `${one.identifiability.rank} of ${one.identifiability.parameters.length} parameter combinations are identifiable (condition number ${one.identifiability.condition === null ? tr("infinite") : written(one.identifiability.condition, 3)}).`,
-      ),
-      table(
-        "identifiability",
-        ["unknown", "sensitivity", "most correlated"],
-        one.identifiability.parameters.map((name, k) => {
-          const row = one.identifiability.correlation[k] ?? [],
-            best = row.reduce(
-              (at, value, i) =>
-                i !== k && Math.abs(value) > Math.abs(at < 0 ? 0 : row[at]!) ? i : at,
-              -1,
-            );
-          return [
-            name,
-            written(one.identifiability.sensitivity[k], 3),
-            best >= 0 ? `${one.identifiability.parameters[best]} (${written(row[best], 2)})` : "–",
-          ];
-        }),
-        [1],
-      ),
-      ...advised(one.identifiability.findings, "p"),
-    );
-  }
-  const numbers = [
-    ...new Set(found.updates.flatMap((one) => one.comparisons.map((two) => two.number))),
-  ];
-  if (numbers.length)
-    shown.push(
-      make("h2", {}, "Every update on every trial"),
-      make(
-        "p",
-        { class: "muted" },
-        "Mean channel error (NRMSE) before and after each update; trials used for the fit are marked.",
-      ),
-      table(
-        "every update on every trial",
-        ["update", ...numbers.map((one) => `trial ${one}`)],
-        found.updates.map((one) => [
-          one.name,
-          ...numbers.map((number) => {
-            const two = one.comparisons.find((three) => three.number === number);
-            return two
-              ? `${written(mean(two.before), 3)} → ${written(mean(two.after), 3)}${two.is_fitted ? tr(", fitted") : ""}${two.after?.verdict ? `: ${tr(two.after.verdict)}` : ""}`
-              : "–";
-          }),
-        ]),
-      ),
-    );
-  if (found.findings.length)
-    shown.push(
-      make("h2", {}, "Warnings and notes"),
-      make(
-        "ul",
-        {},
-        ...advised(
-          [...found.findings].sort(
-            (one, other) => RANK.indexOf(one.severity) - RANK.indexOf(other.severity),
-          ),
-          "li",
-        ),
-      ),
-    );
-  return shown;
 }
 
 type Units = (path: string) => { unit: string; factor: number };
