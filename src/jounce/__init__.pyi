@@ -3,11 +3,16 @@
 from . import mechanics as mechanics
 from . import notebook as notebook
 from . import plots as plots
+from .analysis.alignment import align_by_correlation as align_by_correlation
+from .analysis.alignment import align_by_event as align_by_event
+from .analysis.formula import compute_channel as compute_channel
 from .analysis.integrate import integrate_acceleration as integrate_acceleration
 from .analysis.modes import fit_modes as fit_modes
 from .analysis.spectrum import estimate_spectra as estimate_spectra
 from .analysis.statistics import describe_channels as describe_channels
 from .analysis.transfer import estimate_transfer as estimate_transfer
+from .analysis.window import histogram as histogram
+from .analysis.window import window_statistics as window_statistics
 from .bench.drive import BeltLoad as BeltLoad
 from .bench.drive import BenchDrive as BenchDrive
 from .bench.drive import assess_drive as assess_drive

@@ -1,6 +1,7 @@
 /** Plots over one common axis, one above the other: zoom, pan and cursor are linked. */
 
 import uPlot from "uplot";
+import { Cursors, type Flag, Flags, type Span } from "./cursors";
 import { at, type Numbers } from "./data";
 import { drawingOrder, lineStyle } from "./lines";
 import { colour, isFast, make, whenLeft, writtenTo } from "./page";
@@ -13,6 +14,8 @@ export interface Line {
   y: Numbers;
   step: number;
   shown: boolean;
+  dash?: number[];
+  points?: boolean; // no line
 }
 export interface PlotPane {
   name: string;
@@ -45,6 +48,12 @@ export class LinkedPlots {
   private range: [number, number] = [0, 1];
   private busy = false;
   private place = 0;
+  private handles: Cursors[] = [];
+  private cursors: Span | null = null;
+  private flags: Flags[] = [];
+  private notes: readonly Flag[] = [];
+  /** Called when a cursor is dragged, or put where the plot is clicked. */
+  onCursor: ((index: 0 | 1, value: number) => void) | null = null;
 
   /**
    * `moved` is called with the pointer's position on the common axis, `zoomed` with the visible range.
@@ -84,7 +93,7 @@ export class LinkedPlots {
         one.panes.map((pane) => [
           pane.title,
           pane.unit,
-          pane.lines.map((line) => [line.label, line.role]),
+          pane.lines.map((line) => [line.label, line.role, line.dash]),
         ]),
       ]);
     if (!this.shown || kind(this.shown) !== kind(plotted)) return false;
@@ -125,7 +134,26 @@ export class LinkedPlots {
     this.plots = [];
     this.heads = [];
     this.marks = [];
+    this.handles = [];
+    this.flags = [];
     this.element.replaceChildren();
+  }
+
+  /** Shows two cursors at values of the axis, or none. */
+  setCursors(cursors: Span | null): void {
+    this.cursors = cursors;
+    for (const handle of this.handles) handle.show(cursors, this.range);
+  }
+
+  /** Shows notes at places of the axis. */
+  setNotes(notes: readonly Flag[]): void {
+    this.notes = notes;
+    for (const flags of this.flags) flags.show(notes, this.range);
+  }
+
+  /** Position of the pointer on the axis, where it was last. */
+  get pointed(): number {
+    return this.place;
   }
 
   get window(): [number, number] {
@@ -223,7 +251,12 @@ export class LinkedPlots {
         make(
           "span",
           { class: "value" },
-          ...(line.label ? [make("i", { class: `swatch ${line.role}` }), `${line.label} `] : []),
+          ...(line.label
+            ? [
+                make("i", { class: `swatch ${line.role}${line.dash ? " dashed" : ""}` }),
+                `${line.label} `,
+              ]
+            : []),
           make("output", {}, "–"),
         ),
       );
@@ -286,11 +319,14 @@ export class LinkedPlots {
                 return {
                   label: line.label,
                   stroke: colour(line.role),
-                  points: { show: false },
+                  points: line.points
+                    ? { show: true, size: 3, fill: colour(line.role), width: 0, filter: null }
+                    : { show: false },
+                  ...(line.points ? { paths: () => null } : {}),
                   show: line.shown,
                   pxAlign: 0,
                   width,
-                  dash,
+                  dash: line.dash ?? dash,
                 };
               }),
             ],
@@ -309,6 +345,13 @@ export class LinkedPlots {
                         u.bbox.height,
                       );
                   }
+                },
+              ],
+              draw: [
+                (u) => {
+                  const k = this.plots.indexOf(u); // once it knows its size
+                  this.handles[k]?.show(this.cursors, this.range);
+                  this.flags[k]?.show(this.notes, this.range);
                 },
               ],
               setSelect: [
@@ -343,9 +386,37 @@ export class LinkedPlots {
     const mark = make("div", { class: "mark-line" });
     plot.over.append(mark);
     plot.over.style.touchAction = "pan-y";
+    if (this.onCursor) {
+      let pressed = 0;
+      plot.over.addEventListener("pointerdown", (event) => {
+        pressed = event.clientX;
+      });
+      plot.over.addEventListener("click", (event) => {
+        if (Math.abs(event.clientX - pressed) > 4) return; // it was dragged
+        this.clicked(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, "x"));
+      });
+      this.flags.push(
+        new Flags(plot.over, (value) => plot.valToPos(value, "x"), !this.plots.length),
+      );
+      this.handles.push(
+        new Cursors(
+          plot.over,
+          (value) => plot.valToPos(value, "x"),
+          (pixels) => plot.posToVal(pixels, "x"),
+          (index, value) => this.onCursor?.(index, value),
+        ),
+      );
+    }
     this.plots.push(plot);
     this.heads.push(head);
     this.marks.push(mark);
+  }
+
+  /** Puts the nearer cursor where the plot was clicked. */
+  private clicked(value: number): void {
+    if (!this.cursors) return;
+    const [a, b] = this.cursors;
+    this.onCursor?.(Math.abs(value - a) <= Math.abs(value - b) ? 0 : 1, value);
   }
 
   private height(isLast: boolean): number {

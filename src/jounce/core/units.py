@@ -224,6 +224,80 @@ _VOLTAGE = re.compile("[kmuµμ]?V|[Vv]olts?")
 _VOLTAGE_HINT = "A voltage is a raw sensor signal: divide by its sensitivity (e.g. mV/g) and write the resulting unit."
 
 
+@dataclass(frozen=True)
+class BaseUnit:
+    """A unit by base units: powers of kg, m, s, A, K, rad, and the SI value of a number x, ``factor * x + offset``."""
+
+    powers: dict[str, float]
+    factor: float
+    offset: float = 0.0
+
+
+def in_base_units(unit: str, *, where: str = "") -> BaseUnit:
+    """Return any unit by base units; ``g`` and ``mg`` are accelerations, as in the columns of records.
+
+    Unknown units and logarithmic units (dB) raise a DescriptionError at ``where``.
+
+    >>> in_base_units("mm/s"), in_base_units("g").factor
+    (BaseUnit(powers={'m': 1.0, 's': -1.0}, factor=0.001, offset=0.0), 9.80665)
+    """
+    text = unit.strip()
+    if text in _DIMENSIONLESS or text == "–":
+        return BaseUnit({}, 1.0)
+    if text in _GRAVITY:
+        return BaseUnit({"m": 1.0, "s": -2.0}, 9.80665 * _GRAVITY[text])
+    try:
+        parsed = _parse_unit(_WHOLE.get(text, text) if text != "1/min" else text)
+        zero, unity, three = (
+            _registry().Quantity(number, parsed).to_base_units() for number in (0.0, 1.0, 3.0)
+        )
+        offset = float(zero.magnitude)
+        factor = float(unity.magnitude) - offset
+        if not math.isclose(float(three.magnitude), 3.0 * factor + offset, rel_tol=1e-9):
+            raise ValueError(unit)  # dB
+    except Exception as error:
+        raise DescriptionError(
+            "not a unit", where=where, found=unit[:_LONGEST_UNIT], hint=_UNIT_HINT
+        ) from error
+    powers = {
+        _SYMBOLS.get(str(name), str(name)): round(float(power), 9)
+        for name, power in unity.units._units.items()
+    }
+    return BaseUnit(dict(sorted(powers.items())), factor, offset)
+
+
+_SYMBOLS = {
+    "kilogram": "kg",
+    "meter": "m",
+    "second": "s",
+    "ampere": "A",
+    "kelvin": "K",
+    "radian": "rad",
+}
+"""Symbols of base units by pint's names."""
+
+
+def unit_factor(unit: str, other: str, *, where: str = "") -> float:
+    """Return the value of one ``unit`` in ``other``, for units of records in any spelling.
+
+    Units of different quantities, and scales with different zeros (°C and K), raise a DescriptionError at ``where``.
+
+    >>> unit_factor("N/mm", "N/m"), round(unit_factor("g", "m/s2"), 5)
+    (1000.0, 9.80665)
+    """
+    if unit == other:
+        return 1.0
+    first, second = in_base_units(unit, where=where), in_base_units(other, where=where)
+    if first.powers != second.powers or first.offset != second.offset:
+        raise DescriptionError(
+            "wrong unit",
+            where=where,
+            found=unit,
+            allowed=Phrase("a unit that converts to {si}", si=other),
+        )
+    return first.factor / second.factor
+
+
 def base_units(si: str) -> dict[str, int]:
     """Powers of the base units (kg, m, s, A, K, rad) of an SI unit; empty for a plain number.
 
@@ -232,16 +306,8 @@ def base_units(si: str) -> dict[str, int]:
     """
     if si in _DIMENSIONLESS:
         return {}
-    words = {
-        "kilogram": "kg",
-        "meter": "m",
-        "second": "s",
-        "ampere": "A",
-        "kelvin": "K",
-        "radian": "rad",
-    }
     powers = _registry().Quantity(1.0, _parse_unit(si)).to_base_units().units._units
-    return {words[str(name)]: int(power) for name, power in sorted(powers.items())}
+    return {_SYMBOLS[str(name)]: int(power) for name, power in sorted(powers.items())}
 
 
 def as_number(value: object, si: str, *, where: str = "") -> float:

@@ -481,20 +481,22 @@ def correlation_coefficients(reference: Array, compared: Array, most: int) -> Ar
     """Correlate the overlapping parts of two signals for every shift, by fast Fourier transform.
 
     Returns the coefficient (-1 to 1) of ``reference[t]`` with ``compared[t + shift]`` about the means of the
-    overlapping parts, for shifts from ``-most`` to ``most`` samples; -1 if one part is constant.
+    overlapping parts, for shifts from ``-most`` to ``most`` samples; -1 if one part is constant or nothing overlaps.
     """
     t, c = reference - reference.mean(), compared - compared.mean()
     shift = np.arange(-most, most + 1)
-    length = t.size - np.abs(shift)
-    first_t, first_c = np.maximum(-shift, 0), np.maximum(shift, 0)
+    first_t = np.minimum(np.maximum(-shift, 0), t.size)
+    first_c = np.minimum(np.maximum(shift, 0), c.size)
+    length = np.minimum(t.size - first_t, c.size - first_c)
     sums = [np.concatenate(([0.0], np.cumsum(v))) for v in (t, t * t, c, c * c)]
     sum_t, square_t = (s[first_t + length] - s[first_t] for s in sums[:2])
     sum_c, square_c = (s[first_c + length] - s[first_c] for s in sums[2:])
-    variance_t = square_t - sum_t**2 / length
-    variance_c = square_c - sum_c**2 / length
+    count = np.maximum(length, 1)
+    variance_t = square_t - sum_t**2 / count
+    variance_c = square_c - sum_c**2 / count
     usable = (variance_t > _CONSTANT * sums[1][-1]) & (variance_c > _CONSTANT * sums[3][-1])
     size = np.sqrt(np.where(usable, variance_t * variance_c, 1.0))
-    covariance = _cross_correlation(t, c, most) - sum_t * sum_c / length
+    covariance = _cross_correlation(t, c, most) - sum_t * sum_c / count
     return np.asarray(np.where(usable, covariance / size, -1.0), dtype=float)
 
 
@@ -502,6 +504,6 @@ def _cross_correlation(reference: Array, compared: Array, most: int) -> Array:
     """Sum ``reference[t] compared[t + shift]`` over the overlap, for shifts from ``-most`` to ``most``."""
     from scipy import fft
 
-    size = fft.next_fast_len(reference.size + most, real=True)
+    size = fft.next_fast_len(max(reference.size, compared.size) + most, real=True)
     circular = fft.irfft(np.conj(fft.rfft(reference, size)) * fft.rfft(compared, size), size)
     return np.concatenate((circular[size - most :], circular[: most + 1]))

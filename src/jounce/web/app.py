@@ -24,6 +24,7 @@ from jounce.web import answers, comparing, forms, sweeps
 from jounce.web import kept as history
 from jounce.web.assets import Asset, assets
 from jounce.web.bodies import Route
+from jounce.web.data_page import data_routes
 from jounce.web.exports import KINDS, Exported, exported, file_name
 from jounce.web.jobs import Jobs, without_options
 from jounce.web.project import LONGEST, Entry, Project, Text, Version, unusable
@@ -368,6 +369,7 @@ def create_app(
         )
 
     app.include_router(routes(project, jobs, seal))
+    app.include_router(data_routes(project, records))
     for path, asset in assets().items():
         app.add_api_route(path, _served(asset), include_in_schema=False)
     return Guard(app, token=token, port=port)

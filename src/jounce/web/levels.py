@@ -26,6 +26,11 @@ _PIECE, _UNEVEN = (
     50_000,
     1e-3,
 )  # samples; tolerance of evenly spaced instants as a fraction of a step
+_SINGLE, _VISIBLE = (
+    6e-8,
+    1e-5,
+)  # relative rounding error of single precision; largest share of a channel's range for it
+_SAME = 1e-6  # of a step: instants that are the same
 ABOUT = "about.json"
 _MOST_CHANNELS = 200
 
@@ -65,13 +70,7 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     for k, channel in enumerate(
         [channel for channel in table if channel is not time][:_MOST_CHANNELS]
     ):
-        values = np.asarray(channel.values, np.float32)
-        np.save(folder / f"{k}.npy", values)
-        starts = np.arange(0, count, BLOCK)
-        np.save(
-            folder / f"{k}.levels.npy",
-            np.stack([end.reduceat(values, starts) for end in (np.fmin, np.fmax)]),
-        )
+        write_channel(folder, str(k), channel.values)
         same = sum(other["name"].partition(" #")[0] == channel.name for other in channels)
         channels.append(
             {"name": f"{channel.name} #{same + 1}" if same else channel.name, "unit": channel.unit}
@@ -81,6 +80,18 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
              "left_out": left_out[:_MOST_CHANNELS]}  # fmt: skip
     (folder / ABOUT).write_text(json.dumps(about), encoding="utf-8")
     return about
+
+
+def write_channel(folder: Path, stem: str, samples: Any) -> None:
+    """Store the samples of a channel, and their extremes; in single precision if that loses nothing that is visible."""
+    given = np.asarray(samples)
+    starts = np.arange(0, given.size, BLOCK)
+    low, high = (float(end.reduce(given)) for end in (np.fmin, np.fmax))
+    coarse = max(abs(low), abs(high)) * _SINGLE > _VISIBLE * (high - low) > 0.0
+    values = np.asarray(given, np.float64 if coarse else np.float32)
+    ends = [end.reduceat(values, starts) for end in (np.fmin, np.fmax)]
+    np.save(folder / f"{stem}.levels.npy", np.stack(ends))
+    np.save(folder / f"{stem}.npy", values)
 
 
 def _is_even(time: Array, step: float, where: str) -> bool:
@@ -102,14 +113,78 @@ class Levels:
     folder: Path
     about: dict[str, Any]
 
+    @property
+    def names(self) -> list[str]:
+        """Names of the channels, without time."""
+        return [channel["name"] for channel in self.about["channels"]]
+
+    def unit(self, name: str) -> str:
+        """Return the unit of a channel as in the file."""
+        return str(self.about["channels"][self._stem(name)[0]]["unit"])
+
+    def samples(self, name: str) -> Any:
+        """Return all samples of a channel, mapped from the file that stores them."""
+        return np.load(self.folder / f"{self._stem(name)[1]}.npy", mmap_mode="r")
+
+    def axis_values(self, axis: str, first: int, last: int) -> Array:
+        """Return ``time`` or a channel from one sample to before another, in the unit of the file."""
+        if axis == "time":
+            return self._time(np.arange(first, last))
+        return np.asarray(self.samples(axis)[first:last], float)
+
+    def check_axis(self, axis: str, *, where: str) -> None:
+        """Refuse a channel with descending values or gaps as an axis."""
+        if axis == "time" or (self.folder / f"{self._stem(axis)[1]}.axis").exists():
+            return
+        values, before = self.samples(axis), -np.inf
+        for start in range(0, values.size, _PIECE):
+            piece = np.asarray(values[start : start + _PIECE], float)
+            if not (piece[0] >= before and bool(np.all(piece[1:] >= piece[:-1]))):
+                raise RecordingError(
+                    "the channel is no axis: it descends or has gaps",
+                    where=f"{where}: {axis}",
+                    allowed="time, or a channel that never descends, such as a distance",
+                    hint="Compute a distance with the formula integral(speed), or use a scatter plot.",
+                )
+            before = piece[-1]
+        (self.folder / f"{self._stem(axis)[1]}.axis").touch()
+
+    def first_from(self, values: Any, axis: str = "time", *, behind: bool = False) -> Any:
+        """Return the first samples not before values of an axis (or ``behind`` them), in the unit of the file."""
+        wanted, count = np.asarray(values, float), self.about["count"]
+        if axis != "time":
+            own = self.samples(axis)
+            return np.searchsorted(own, wanted.astype(own.dtype), "right" if behind else "left")
+        wanted = wanted + (_SAME if behind else -_SAME) * self.about["step"]  # decimal fractions
+        if self.about["even"]:
+            steps = np.clip((wanted - self.about["first"]) / self.about["step"], -1.0, count)
+            return (np.floor(steps) + 1 if behind else np.ceil(steps)).clip(0, count).astype(int)
+        times = np.load(self.folder / "time.npy", mmap_mode="r")
+        return np.searchsorted(times, wanted, "right" if behind else "left")
+
+    def extremes(self, name: str, starts: Any, last: int) -> tuple[Any, Any]:
+        """Return minimum and maximum from each of the ascending samples ``starts`` to the next, or to ``last``."""
+        values = self.samples(name)
+        if last - starts[0] >= 4 * BLOCK * len(starts):
+            stem = self._stem(name)[1]
+            levels = np.load(self.folder / f"{stem}.levels.npy", mmap_mode="r")
+            below, above = levels[0, : -(-last // BLOCK)], levels[1, : -(-last // BLOCK)]
+            starts = starts // BLOCK
+        else:
+            below = above = np.asarray(values[starts[0] : last])
+            starts = starts - starts[0]
+        return np.fmin.reduceat(below, starts), np.fmax.reduceat(above, starts)
+
+    def _stem(self, name: str) -> tuple[int, str]:
+        for k, channel in enumerate(self.about["channels"]):
+            if channel["name"] == name:
+                return k, channel.get("stem", str(k))
+        raise unknown(name, self.names, what="channel", where="channels")
+
     def viewer(self, names: Sequence[str], low: float, high: float, columns: int) -> Viewer:
         """Return some channels from ``low`` to ``high`` (in the unit of its time) in a number of columns."""
         from jounce.report.live import Curve, Pane, Viewer, ViewerScene
 
-        known = {channel["name"]: k for k, channel in enumerate(self.about["channels"])}
-        for name in names:
-            if name not in known:
-                raise unknown(name, known, what="channel", where="channels")
         first, last = self._index(low), min(self._index(high) + 1, self.about["count"])
         if last - first < 2:
             first, last = max(0, first - 1), min(first + 2, self.about["count"])
@@ -120,26 +195,17 @@ class Levels:
         )
         panes = []
         for name in names:
-            y = self._values(known[name], first, last, edges)
-            unit = self.about["channels"][known[name]]["unit"]
+            y = self._values(name, first, last, edges)
+            unit = self.unit(name)
             panes.append(Pane(name, name, DisplayUnit(unit, 1.0).name, (Curve(name, "after", y),)))
         places = np.arange(first, last) if edges is None else _twice(edges)
         scene = ViewerScene("record", "record", self._time(places), tuple(panes))
         return Viewer("", (scene,), (("after", "record", True),), unit=self.about["unit"])
 
-    def _values(self, channel: int, first: int, last: int, edges: Any) -> Array:
-        values = np.load(self.folder / f"{channel}.npy", mmap_mode="r")
+    def _values(self, name: str, first: int, last: int, edges: Any) -> Array:
         if edges is None:
-            return np.asarray(values[first:last], float)
-        if (last - first) / (len(edges) - 1) >= 4 * BLOCK:
-            levels = np.load(self.folder / f"{channel}.levels.npy", mmap_mode="r")
-            starts = edges[:-1] // BLOCK
-            below, above = levels[0, : -(-last // BLOCK)], levels[1, : -(-last // BLOCK)]
-        else:
-            part = np.asarray(values[first:last])
-            starts, below, above = edges[:-1] - first, part, part
-        ends = np.fmin.reduceat(below, starts), np.fmax.reduceat(above, starts)
-        return np.stack(ends, axis=1).ravel().astype(float)
+            return np.asarray(self.samples(name)[first:last], float)
+        return np.stack(self.extremes(name, edges[:-1], last), axis=1).ravel().astype(float)
 
     def _index(self, time: float) -> int:
         count = int(self.about["count"])

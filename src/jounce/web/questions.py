@@ -25,6 +25,10 @@ def answer(question: Mapping[str, Any]) -> int:
             from jounce.web.levels import write_levels
 
             reply = write_levels(Path(question["file"]), Path(question["folder"]))
+        elif question["kind"] == "formulas":
+            from jounce.web.formulas import write_formulas
+
+            reply = write_formulas(question)
         elif question["kind"] == "overlay":
             from jounce.web.rides import overlaid
 

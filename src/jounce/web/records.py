@@ -19,12 +19,14 @@ from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import state_of
 from jounce.core.writing import lasting_folder
 from jounce.web.answers import word
+from jounce.web.formulas import is_computed, stems_of, with_formulas
 from jounce.web.jobs import Jobs
+from jounce.web.layouts import Formula
 from jounce.web.levels import ABOUT, Levels
 from jounce.web.project import Project
 from jounce.web.tasks import JobSpec
 
-_MOST_KEPT = 6
+_MOST_KEPT = 12
 _MEMORY, _SECONDS = 6e9, 120.0  # limits for reading a record
 _PIECES, _PIECE = (
     64,
@@ -60,6 +62,30 @@ class Records:
                 shutil.rmtree(old.folder, ignore_errors=True)
             return self.known[key]
 
+    def compute(
+        self, path: str, levels: Levels, formulas: Sequence[Formula]
+    ) -> tuple[Levels, list[dict[str, Any]]]:
+        """Return a record with its computed channels, and the state of each formula; compute what is not stored."""
+        if not formulas:
+            return levels, []
+        with self.lock:
+            if not all(is_computed(levels.folder, stem) for stem in stems_of(formulas)):
+                question = {
+                    "kind": "formulas",
+                    "folder": str(levels.folder),
+                    "path": path,
+                    "formulas": [formula.model_dump() for formula in formulas],
+                }
+                self._ask(f"Computing channels of {path}", question)
+        return with_formulas(levels, formulas)
+
+    def digest(self, path: str) -> str:
+        """Return what identifies the present content of a record; empty if there is no such file."""
+        try:
+            return _fingerprint(self.project.inside(path))
+        except (JounceError, OSError):
+            return ""
+
     def end(self) -> None:
         """Delete the cached data."""
         if self.folder is not None:
@@ -91,22 +117,18 @@ class Records:
         folder = self.folder / key
         shutil.rmtree(folder, ignore_errors=True)  # incomplete, if the disk was full
         question = {"kind": "levels", "file": str(file), "folder": str(folder)}
-        limits = (_MEMORY, _SECONDS)
         try:
-            self.jobs.ask(
-                JobSpec(
-                    f"Reading {path}",
-                    [],
-                    limits=limits,
-                    patience=90.0,
-                    question=question,
-                    light=True,
-                )
-            )
+            self._ask(f"Reading {path}", question)
         except Exception:
             shutil.rmtree(folder, ignore_errors=True)
             raise
         return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
+
+    def _ask(self, title: str, question: dict[str, Any]) -> None:
+        limits = (_MEMORY, _SECONDS)
+        self.jobs.ask(
+            JobSpec(title, [], limits=limits, patience=90.0, question=question, light=True)
+        )
 
 
 def _fingerprint(file: Path) -> str:
@@ -125,6 +147,11 @@ def _fingerprint(file: Path) -> str:
             stream.seek(place)
             digest.update(stream.read(_PIECE))
     return digest.hexdigest()[:24]
+
+
+def is_known_channel(name: str, unit: str) -> bool:
+    """Whether a column is read under its name: a known channel, in a unit of its quantity."""
+    return _is_known(name) and _is_of(name, unit) and " #" not in name
 
 
 def _is_known(name: str) -> bool:

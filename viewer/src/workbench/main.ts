@@ -18,6 +18,7 @@ const PAGES: Record<string, Page> = {
   trial: { label: "Trial", load: () => import("./pages/trial") },
   kinematics: { label: "Kinematics", load: () => import("./pages/kinematics") },
   record: { label: "Records", load: () => import("./pages/record") },
+  data: { label: "Data", load: () => import("./pages/data") },
   campaign: { label: "Campaign", load: () => import("./pages/campaign") },
   ride: { label: "Ride and control", load: () => import("./pages/ride") },
   inspection: { label: "Inspection", load: () => import("./pages/inspection") },

@@ -31,9 +31,11 @@ export const OPENS: Record<string, [page: string, key: string, words: string][]>
   ],
   record: [
     ["record", "path", "view"],
+    ["data", "path", "analyse"],
     ["trial", "record", "compare with a simulation"],
     ["inspection", "record", "inspect"],
   ],
+  layout: [["data", "layout", "open"]],
   campaign: [["campaign", "file", "open"]],
   sweep: [["studies", "study", "open"]],
   swept: [["studies", "folder", "results"]],

@@ -8,6 +8,7 @@ import "../../../src/jounce/report/templates/colours.css";
 import "../viewer.css";
 import "./workbench.css";
 import "./work.css";
+import "./data.css";
 
 if (language === "de") await import("./german");
 await import("./main");

@@ -181,6 +181,11 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     make(
       "p",
       { class: "bar" },
+      make(
+        "a",
+        { href: address("data", { path }) },
+        tr("Analyse and compare with other recordings"),
+      ),
       make("a", { href: address("trial", { record: path }) }, tr("Compare with a simulation")),
     ),
     ...(about.left_out ?? []).map((text) =>

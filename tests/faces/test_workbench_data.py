@@ -1,0 +1,251 @@
+"""The page of many recordings in Chromium: overlaid, measured between two cursors, kept, saved and shared."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.pages
+TOKEN = "a-token-of-recordings"
+TIME = np.arange(0.0, 20.0, 0.002)
+
+
+def write(file: Path, lag: float, offset: float = 0.0) -> None:
+    moved = TIME - lag
+    bump = np.exp(-(((moved - 8.0) / 0.3) ** 2))
+    columns = [TIME, 20.0 + np.sin(0.5 * moved), offset + 5.0 * bump + 0.2 * np.sin(7.0 * moved)]
+    np.savetxt(
+        file,
+        np.column_stack(columns),
+        delimiter=",",
+        header="time [s],speed [m/s],sprung.az [m/s^2]",
+        comments="",
+        fmt="%.7g",
+    )
+
+
+@pytest.fixture
+def page(browser: Any, workbench: tuple[Path, int]) -> Iterator[Any]:
+    folder, port = workbench
+    write(folder / "first.csv", 0.0)
+    write(folder / "second.csv", 1.5)
+    context = browser.new_context(viewport={"width": 1280, "height": 900}, locale="en-GB")
+    context.set_default_timeout(60_000)
+    page = context.new_page()
+    page.troubles = []
+    page.on("pageerror", lambda error: page.troubles.append(str(error)))
+    page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}")
+    page.wait_for_selector("html[data-ready]")
+    yield page
+    context.close()
+    assert page.troubles == []
+
+
+def go(page: Any, port: int, where: str) -> None:
+    page.evaluate(
+        "where => { delete document.documentElement.dataset.ready; location.hash = where; }", where
+    )
+    page.wait_for_selector("html[data-ready=data]")
+
+
+def figures(page: Any) -> list[list[str]]:
+    """Rows of the table of figures, once both cursors are measured."""
+    page.locator("[aria-label='Figures of the window'] tbody tr").first.wait_for()
+    rows = page.locator("[aria-label='Figures of the window'] tbody tr").all()
+    return [row.locator("th, td").all_inner_texts() for row in rows]
+
+
+def set_number(page: Any, label: str, value: float) -> None:
+    field = page.get_by_label(label, exact=True)
+    field.fill(str(value))
+    with page.expect_response("**/api/data/window"):
+        field.press("Enter")
+    page.wait_for_timeout(200)
+
+
+def test_recordings_are_overlaid_and_measured(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    page.get_by_label("Add a recording").select_option("second.csv")
+    page.locator(".pane-head", has_text="second.csv").first.wait_for()
+    assert page.locator(".pane").count() == 2
+    set_number(page, "cursor A", 2.0)
+    set_number(page, "cursor B", 6.0)
+    rows = figures(page)
+    assert [row[0] for row in rows] == [
+        "speed [m/s] first.csv",
+        "speed [m/s] second.csv",
+        "sprung.az [m/s^2] first.csv",
+        "sprung.az [m/s^2] second.csv",
+    ]
+    inside = (TIME >= 2.0) & (TIME <= 6.0)
+    speed = (20.0 + np.sin(0.5 * TIME))[inside]
+    _, a, b, apart, low, high, mean, rms, deviation, samples = rows[0]
+    assert (a, b) == (f"{speed[0]:.3f}", f"{speed[-1]:.3f}")
+    assert float(apart.replace("−", "-")) == pytest.approx(speed[-1] - speed[0], abs=1e-4)
+    assert (float(low), float(high)) == pytest.approx((speed.min(), speed.max()), abs=1e-3)
+    assert (float(mean), float(rms)) == pytest.approx(
+        (speed.mean(), np.sqrt(np.mean(speed**2))), abs=1e-3
+    )
+    assert float(deviation) == pytest.approx(speed.std(), abs=1e-4)
+    assert samples == "2001"
+    set_number(page, "shift of second.csv", -1.5)
+    rows = figures(page)
+    assert rows[0][1] == rows[1][1]  # on one clock now
+
+
+def test_cursors_are_dragged_clicked_and_typed(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    figures(page)
+    before = float(page.get_by_label("cursor A", exact=True).input_value())
+    line = page.locator(".cursor-line").first
+    box = line.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + 30)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 60, box["y"] + 30, steps=4)
+    page.mouse.up()
+    dragged = float(page.get_by_label("cursor A", exact=True).input_value())
+    assert dragged > before
+    over = page.locator(".u-over").first.bounding_box()
+    page.mouse.click(over["x"] + 0.95 * over["width"], over["y"] + 40)
+    assert float(page.get_by_label("cursor B", exact=True).input_value()) == pytest.approx(
+        19.0, abs=0.2
+    )
+    page.get_by_role("button", name="Hide the cursors").click()
+    assert page.locator(".cursor-line:visible").count() == 0
+    page.get_by_role("button", name="Undo").click()
+    assert page.locator(".cursor-line:visible").count() == 4
+
+
+def test_the_state_is_kept_over_a_reload_saved_and_shared(
+    page: Any, workbench: tuple[Path, int]
+) -> None:
+    folder, port = workbench
+    go(page, port, "/data?path=first.csv")
+    figures(page)
+    page.get_by_label("Add a recording").select_option("second.csv")
+    set_number(page, "cursor A", 3.25)
+    page.locator(".channels button", has_text="speed").click()
+    page.locator(".pane").nth(1).wait_for(state="detached")
+    page.wait_for_timeout(600)
+    shared = page.url
+    assert "state=" in shared
+    page.reload()
+    page.wait_for_selector("html[data-ready=data]")
+    figures(page)
+    assert page.get_by_label("cursor A", exact=True).input_value() == "3.25"
+    assert page.locator(".pane").count() == 1
+    page.get_by_label("Name of the layout").fill("damper look")
+    page.get_by_role("button", name="Save the layout").click()
+    page.get_by_text("Saved as layouts/damper look.toml.").wait_for()
+    assert "3.25" in (folder / "layouts" / "damper look.toml").read_text()
+    go(page, port, "/data?layout=layouts/damper look.toml")
+    figures(page)
+    assert page.get_by_label("cursor A", exact=True).input_value() == "3.25"
+    (folder / "layouts" / "damper look.toml").write_text('schema = "jounce.layout/1"\nnote = 5\n')
+    set_number(page, "cursor A", 4.5)
+    page.get_by_role("button", name="Save the layout").click()
+    page.get_by_text("the file has changed since it was loaded").wait_for()
+    (folder / "second.csv").unlink()  # as in another project
+    go(page, port, re.sub(r"^[^#]*#", "", shared))
+    page.get_by_text("second.csv: no such file.").wait_for()
+    assert len(figures(page)) == 1
+
+
+def test_a_file_that_changes_while_it_is_open_says_so(
+    page: Any, workbench: tuple[Path, int]
+) -> None:
+    folder, port = workbench
+    go(page, port, "/data?path=first.csv")
+    before = figures(page)
+    write(folder / "first.csv", 0.0, offset=3.0)
+    page.get_by_text(
+        "first.csv has changed: curves and figures show the file as it is now."
+    ).wait_for()
+    page.wait_for_timeout(1000)
+    assert figures(page)[1][3] != before[1][3] or figures(page)[1][6] != before[1][6]
+
+
+def test_a_damaged_link_is_refused(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?state=AAAA")
+    page.get_by_text("This link is damaged: the layout in it cannot be read.").wait_for()
+
+
+def test_alignment_by_correlation_shows_its_trust(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    page.get_by_label("Add a recording").select_option("second.csv")
+    page.get_by_text("Align two recordings").click()
+    form = page.locator(".aligning")
+    form.get_by_label("Channel").select_option("sprung.az")
+    form.get_by_role("button", name="Align").click()
+    form.get_by_text("Shifted by −1.500").wait_for()
+    assert "Correlation 1.00" in form.locator(".state").inner_text() or "0.99" in form.inner_text()
+    assert float(page.get_by_label("shift of second.csv").input_value()) == pytest.approx(
+        -1.5, abs=2e-3
+    )
+    form.get_by_label("How").select_option("rise")
+    form.get_by_label("Level", exact=True).fill("400")
+    form.get_by_role("button", name="Align").click()
+    form.get_by_text("the channel never rises through 400").wait_for()
+
+
+def test_formulas_carry_units_and_say_what_is_wrong(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    figures(page)
+    page.get_by_role("button", name="Add a formula").click()
+    formula = page.get_by_label("formula 1", exact=True)
+    formula.wait_for()
+    for text, words in (
+        ("speed + sprung.az", "units do not fit"),
+        ("speed / (speed - speed)", "division by zero"),
+        ("lowpass(speed, 20)", "a number in Hz, in quotes"),
+        ("sprung.az / max(speed - '20 m/s', 0)", "is zero at"),
+    ):
+        formula.fill(text)
+        formula.press("Enter")
+        page.locator(".formulas").get_by_text(words).wait_for()
+    formula.fill("integral(speed)")
+    formula.press("Enter")
+    page.locator(".formulas .problem, .formulas .notice").wait_for(state="detached")
+    rows = page.locator("[aria-label='Figures of the window'] tbody tr")
+    rows.filter(has_text="computed_1 [m]").wait_for()
+    page.get_by_label("Over").select_option("computed_1")  # now a distance is the axis
+    page.get_by_text(re.compile("B − A = 13[0-9].* m")).wait_for()
+    rows.first.wait_for()
+    assert float(page.get_by_label("cursor B", exact=True).input_value()) > 200.0
+
+
+def test_charts_and_events_of_the_window(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    figures(page)
+    kind = page.get_by_label("Chart of the window").first
+    for choice, words in (
+        ("spectrum", "resolution"),
+        ("scatter", "correlation"),
+    ):
+        kind.select_option(choice)
+        page.locator(".data-main p", has_text=words).first.wait_for()
+    kind.select_option("histogram")
+    page.get_by_label("Bins").wait_for()
+    page.get_by_label("Event at cursor A").fill("kerb")
+    page.get_by_role("button", name="Add the event").click()
+    page.locator(".flag", has_text="kerb").wait_for()
+    page.get_by_label("Notes").fill("tyres worn")
+    page.get_by_label("Notes").blur()
+    page.wait_for_timeout(600)
+    page.reload()
+    page.wait_for_selector("html[data-ready=data]")
+    page.locator(".flag", has_text="kerb").wait_for()
+    assert page.get_by_label("Notes").input_value() == "tyres worn"
+    page.get_by_label("remove kerb").click()
+    page.locator(".flag").wait_for(state="detached")

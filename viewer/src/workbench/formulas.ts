@@ -1,0 +1,188 @@
+/** Computed channels of a layout: formulas with units, and what is wrong with them in each recording. */
+
+import { make } from "../page";
+import { tr } from "../words";
+import { fill } from "./filled";
+import type { Laid } from "./laid";
+import type { Layout } from "./layout";
+import { asSaid } from "./refusals";
+
+const EXAMPLES: [formula: string, words: string][] = [
+  ["derivative(lowpass(damper.displacement, '30 Hz'))", "damper velocity, filtered first"],
+  ["integral(speed)", "distance"],
+  ["speed * yaw_rate", "lateral acceleration"],
+  ["sprung.az / '1 g'", "acceleration as a multiple of g"],
+  ["where(speed > '10 km/h', steer, 0)", "steer angle while moving"],
+  ["front_left.damper.displacement - front_right.damper.displacement", "roll of an axle"],
+];
+const FUNCTIONS =
+  "abs sqrt exp log log10 sin cos tan asin acos atan atan2 sign min max clip where mean rms std minimum maximum first last derivative integral lowpass highpass bandpass smooth delay detrend";
+
+export class FormulaList {
+  private readonly list = make("ul", { class: "formulas" });
+  private readonly other = make("select", { "aria-label": tr("Take the formulas of a layout") });
+  readonly element: HTMLElement;
+
+  constructor(
+    private readonly laid: Laid,
+    private readonly layouts: () => string[],
+    private readonly read: (path: string) => Promise<Layout | null>,
+  ) {
+    this.other.addEventListener("change", () => void this.take());
+    this.element = make(
+      "section",
+      {},
+      make("h2", {}, tr("Computed channels")),
+      this.list,
+      make(
+        "div",
+        { class: "bar" },
+        make("button", { type: "button", click: () => this.add() }, tr("Add a formula")),
+        this.other,
+      ),
+      make(
+        "details",
+        {},
+        make("summary", {}, tr("How formulas are written")),
+        make(
+          "p",
+          { class: "muted" },
+          tr(
+            "Names of channels, + − * / **, comparisons and functions; quantities in quotes with their unit, names with spaces in `backquotes`. A formula may use those above it. Without a unit it has its SI unit.",
+          ),
+        ),
+        make("p", { class: "muted" }, make("code", {}, FUNCTIONS)),
+        make(
+          "ul",
+          {},
+          ...EXAMPLES.map(([formula, words]) =>
+            make("li", {}, make("code", {}, formula), ` ${tr(words)}`),
+          ),
+        ),
+      ),
+    );
+  }
+
+  show(): void {
+    const { formulas } = this.laid.layout;
+    fill(
+      this.list,
+      ...formulas.map((one, k) => {
+        const box = (
+          key: "name" | "formula" | "unit",
+          label: string,
+          placeholder: string,
+        ): HTMLInputElement => {
+          const input = make("input", {
+            type: "text",
+            class: key,
+            value: one[key],
+            placeholder,
+            spellcheck: "false",
+            "aria-label": tr(label, String(k + 1)),
+          });
+          input.addEventListener("change", () => {
+            this.rename(key, one.name, input.value.trim());
+            one[key] = input.value.trim();
+            this.laid.changed();
+          });
+          return input;
+        };
+        const remove = make(
+          "button",
+          { type: "button", class: "small", "aria-label": tr("remove #", one.name) },
+          "×",
+        );
+        remove.addEventListener("click", () => {
+          formulas.splice(k, 1);
+          this.rename("name", one.name, "");
+          this.laid.changed();
+        });
+        return make(
+          "li",
+          {},
+          make(
+            "div",
+            { class: "named" },
+            box("name", "name of formula #", tr("name")),
+            "=",
+            box("formula", "formula #", "derivative(damper.displacement)"),
+            box("unit", "unit of formula #", this.unit(one.name) || tr("SI unit")),
+            remove,
+          ),
+          ...this.states(one.name),
+        );
+      }),
+    );
+    const others = this.layouts();
+    this.other.hidden = !others.length;
+    this.other.replaceChildren(
+      make("option", { value: "" }, tr("Take the formulas of a layout …")),
+      ...others.map((path) => make("option", { value: path }, path)),
+    );
+  }
+
+  private unit(name: string): string {
+    for (const { formulas } of this.laid.tracks) {
+      const state = formulas.find((one) => one.name === name);
+      if (state?.unit) return state.unit;
+    }
+    return "";
+  }
+
+  /** What is wrong with a formula, or worth knowing; the same in several recordings is said once. */
+  private states(name: string): HTMLElement[] {
+    const found = new Map<string, HTMLElement>();
+    for (const { formulas } of this.laid.tracks)
+      for (const state of formulas) {
+        if (state.name !== name) continue;
+        if (state.problem)
+          found.set(
+            state.problem.text,
+            make("p", { class: "problem" }, asSaid(state.problem.text, state.problem.german)),
+          );
+        for (const { text, german } of state.notes)
+          found.set(text, make("p", { class: "notice" }, asSaid(text, german)));
+      }
+    return [...found.values()];
+  }
+
+  /** Graphs follow the name of a formula. */
+  private rename(key: string, before: string, now: string): void {
+    if (key !== "name" || before === now) return;
+    const { layout } = this.laid;
+    layout.graphs = layout.graphs
+      .map(({ channels }) => ({
+        channels: channels.flatMap((one) => (one !== before ? [one] : now ? [now] : [])),
+      }))
+      .filter(({ channels }) => channels.length);
+  }
+
+  private add(): void {
+    const { formulas, graphs } = this.laid.layout,
+      names = new Set([
+        ...formulas.map(({ name }) => name),
+        ...this.laid.tracks.flatMap(({ channels }) => channels.map(({ name }) => name)),
+      ]);
+    let count = 1;
+    while (names.has(`computed_${count}`)) count++;
+    const first = this.laid.tracks.flatMap(({ channels }) => channels)[0]?.name ?? "time";
+    const name = `computed_${count}`;
+    formulas.push({
+      name,
+      formula: /^[\p{L}_][\p{L}\p{N}_.]*$/u.test(first) ? first : `\`${first}\``,
+      unit: "",
+    });
+    if (graphs.length < 12) graphs.push({ channels: [name] });
+    this.laid.changed();
+    this.list.querySelector<HTMLInputElement>("li:last-child .formula")?.focus();
+  }
+
+  private async take(): Promise<void> {
+    const layout = await this.read(this.other.value),
+      { formulas } = this.laid.layout;
+    for (const one of layout?.formulas ?? [])
+      if (!formulas.some(({ name }) => name === one.name)) formulas.push(one);
+    this.laid.changed();
+  }
+}

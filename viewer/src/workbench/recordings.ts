@@ -1,0 +1,107 @@
+/** The recordings of a layout: which are shown, and by how much each is shifted. */
+
+import { make } from "../page";
+import { tr } from "../words";
+import { fill } from "./filled";
+import { extent, type Laid } from "./laid";
+import { MOST_RECORDINGS } from "./layout";
+
+export const ROLES = ["after", "other-5", "other-1", "other-2", "other-3", "other-6"];
+
+export class RecordingList {
+  private readonly list = make("ul", { class: "recordings" });
+  private readonly more = make("select", { "aria-label": tr("Add a recording") });
+  readonly element = make("section", {}, make("h2", {}, tr("Recordings")), this.list, this.more);
+
+  constructor(
+    private readonly laid: Laid,
+    private readonly paths: string[],
+  ) {
+    this.more.addEventListener("change", () => {
+      if (!this.more.value) return;
+      laid.layout.recordings.push({ path: this.more.value, shown: true, shifts: {} });
+      laid.changed();
+    });
+  }
+
+  show(): void {
+    const { layout, tracks, unit } = this.laid,
+      { recordings, axis } = layout;
+    fill(
+      this.list,
+      ...recordings.map((one, k) => {
+        const track = tracks.find(({ path }) => path === one.path);
+        const shown = make("input", {
+          type: "checkbox",
+          checked: one.shown,
+          "aria-label": tr("show #", one.path),
+        });
+        shown.addEventListener("change", () => {
+          one.shown = shown.checked;
+          this.laid.changed();
+        });
+        const shift = make("input", {
+          type: "number",
+          step: "any",
+          value: String(one.shifts[axis] ?? 0),
+          "aria-label": tr("shift of #", one.path),
+        });
+        shift.addEventListener("change", () => {
+          const value = shift.valueAsNumber;
+          if (!Number.isFinite(value)) shift.value = String(one.shifts[axis] ?? 0);
+          else {
+            if (value === 0) delete one.shifts[axis];
+            else one.shifts[axis] = value;
+            this.laid.changed();
+          }
+        });
+        const remove = make(
+          "button",
+          { type: "button", class: "small", "aria-label": tr("remove #", one.path) },
+          "×",
+        );
+        remove.addEventListener("click", () => {
+          recordings.splice(k, 1);
+          this.laid.changed();
+        });
+        return make(
+          "li",
+          {},
+          make(
+            "div",
+            { class: "named" },
+            make(
+              "label",
+              {},
+              shown,
+              recordings.length > 1 ? make("i", { class: `swatch ${ROLES[k]}` }) : "",
+              make("b", {}, one.path),
+            ),
+            remove,
+          ),
+          make(
+            "small",
+            { class: "muted" },
+            track?.problem ? tr("not shown") : track ? extent(track, unit) : "",
+          ),
+          make("label", { class: "shift" }, `${tr("Shift")} `, shift, ` ${unit || "–"}`),
+        );
+      }),
+    );
+    const others = this.paths.filter((path) => !recordings.some((one) => one.path === path));
+    const isFull = recordings.length >= MOST_RECORDINGS;
+    this.more.replaceChildren(
+      make(
+        "option",
+        { value: "" },
+        isFull
+          ? tr("no more than # recordings", String(MOST_RECORDINGS))
+          : others.length
+            ? tr("Add a recording …")
+            : tr("No other recording in this project"),
+      ),
+      ...(isFull ? [] : others.map((path) => make("option", { value: path }, path))),
+    );
+    this.more.disabled = isFull || !others.length;
+  }
+}
