@@ -30,7 +30,9 @@ DRAWN = (
 )
 RIG = "kart-double-wishbone.toml"
 PAGES = [
-    "project", f"rig?name={RIG}", f"trial?rig={RIG}", f"kinematics?rig={RIG}", "record?path=run.nc", "data?path=run.nc", "campaign", "ride",
+    "project", f"rig?name={RIG}", f"trial?rig={RIG}", f"kinematics?rig={RIG}", "record?path=run.nc",
+    "data?path=run.nc", "campaign",
+    "ride",
     "inspection", "studies", "jobs",
 ]  # fmt: skip
 
