@@ -208,3 +208,22 @@ def test_pages_compare_several_and_show_what_a_save_would_change(browser, workbe
         assert f"Mechanism of Kinematics of formula-student-front.toml: {view}" in report
     assert not errors
     page.close()
+
+
+@pytest.mark.pages
+def test_german_fields_show_and_take_a_decimal_comma(browser, workbench) -> None:
+    folder, port = workbench
+    shutil.copy(LIBRARY / "kart-quarter-car.toml", folder)
+    context = browser.new_context(locale="de-DE")
+    page = context.new_page()
+    page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}#/trial?rig=kart-quarter-car.toml")
+    page.wait_for_selector("html[data-ready]", timeout=60_000)
+    speed = page.get_by_label("Geschwindigkeit")
+    assert speed.input_value() == "1,95 m/s"
+    for typed in ("2,5 m/s", "2.5 m/s"):
+        speed.fill(typed)
+        with page.expect_response("**/api/simulate") as answered:
+            speed.press("Enter")
+        assert answered.value.status == 200
+        assert answered.value.request.post_data_json["speed"] == "2.5 m/s"
+    context.close()

@@ -624,7 +624,7 @@ def test_what_a_page_shows_is_saved_and_copied(workbench, browser, tmp_path):
     seen = _saved(page, curves, "CSV", tmp_path).read_text("utf-8-sig").splitlines()
     assert 3 < len(seen) < 0.6 * len(rows)
     drawing = page.locator(".mechanism details.save")
-    assert _saved(page, drawing, "PNG", tmp_path).stat().st_size > 10_000
+    assert _saved(page, drawing, "PNG × 2", tmp_path).stat().st_size > 10_000
     whole = page.locator("main > .saving details")
     assert _saved(page, whole, "PDF document", tmp_path).read_bytes().startswith(b"%PDF")
     assert "sprung.az" in _saved(page, whole, "HTML report", tmp_path).read_text()

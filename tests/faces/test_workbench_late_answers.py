@@ -394,6 +394,7 @@ def test_what_is_moved_or_wanted_while_a_rig_is_written_is_there_after_it(page, 
     number.nth(0).fill("201")
     saves = Held(page, "**/api/file")
     page.get_by_role("button", name="Save these changes to the file").click()
+    page.get_by_role("button", name="Write to the file").click()
     saves.come()
     number.nth(1).fill("202")
     page.evaluate("delete document.documentElement.dataset.ready")

@@ -1,6 +1,6 @@
 /** Basic functions for all components: elements, numbers, colours. */
 
-import { heard, localised, say, tr } from "./words";
+import { heard, inField, localised, say, tr } from "./words";
 
 const HEARD = ["aria-label", "title", "placeholder"];
 type Attributes = Record<string, string | boolean | ((event: never) => void)>;
@@ -12,7 +12,11 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   ...content: (Node | string)[]
 ): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
+  for (const [name, given] of Object.entries(attributes)) {
+    const value =
+      name === "value" && typeof given === "string" && attributes.type === "text"
+        ? inField(given)
+        : given;
     if (typeof value === "function") element.addEventListener(name, value as EventListener);
     else if (typeof value === "boolean") element.toggleAttribute(name, value);
     else

@@ -105,6 +105,17 @@ export function localised(text: string): string {
   return isGerman ? signed.replace(".", ",") : signed;
 }
 
+const NUMBER = String.raw`\s*[-+−±]?\d+(?:[.,]\d+)?(?:\s*[a-zA-Z°%µ][^\s,;:]*)?\s*`,
+  QUANTITY = new RegExp(`^${NUMBER}(?:(?::|\\.\\.)${NUMBER})*$`);
+
+/** A number with its unit, or a range of them, with the decimal mark of the page. */
+export const inField = (text: string): string =>
+  isGerman && QUANTITY.test(text) ? text.replace(/(\d)\.(\d)/g, "$1,$2") : text;
+
+/** The same as the server reads it: on German pages, comma and point are both decimal marks. */
+export const fromField = (text: string): string =>
+  isGerman && QUANTITY.test(text) ? text.replace(/(\d),(\d)/g, "$1.$2").replaceAll("−", "-") : text;
+
 const SAID: Record<string, string> = {};
 
 let patterns: [RegExp, string][] | null = null;

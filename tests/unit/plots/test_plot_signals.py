@@ -57,6 +57,7 @@ def test_default_channels(run: xr.Dataset) -> None:
         "road.z",
         "sprung.az",
         "tyre.force",
+        "rear.tyre.force",
     ]
     other = run[["rear.wheel.az"]]
     assert [axes.get_title("left") for axes in time_history(other).axes] == ["rear.wheel.az"]
@@ -66,7 +67,7 @@ def test_default_channels(run: xr.Dataset) -> None:
     ("channels", "message"),
     [
         (["sprung.ax"], r"no channel 'sprung.ax'.*Did you mean 'sprung.az'"),
-        ([], "no channel varies over"),
+        ([], "no time-dependent channel to draw"),
     ],
 )
 def test_unknown_channels(run: xr.Dataset, channels: list[str], message: str) -> None:

@@ -1,7 +1,7 @@
 /** Requests to the server; answers are plain data, refusals are errors with the server's message. */
 
 import { lasting } from "../browser";
-import { tr } from "../words";
+import { fromField, tr } from "../words";
 import type * as answers from "./answers";
 import { type Finding, inLanguage, learnt, Refused } from "./refusals";
 
@@ -79,7 +79,9 @@ export const asked = (
     ...(body === undefined
       ? {}
       : {
-          body: JSON.stringify(body),
+          body: JSON.stringify(body, (_, value) =>
+            typeof value === "string" ? fromField(value) : value,
+          ),
           headers: { "Content-Type": "application/json", Accept: accept },
         }),
   });

@@ -1,7 +1,7 @@
 /** A form for a description, made from its JSON schema: values as they are typed, errors at their fields. */
 
 import { make } from "../page";
-import { tr } from "../words";
+import { fromField, tr } from "../words";
 import type { FormProblem } from "./api";
 import { key } from "./quantities";
 
@@ -337,7 +337,7 @@ export class Form {
     const input = make("input", { type: "text", spellcheck: "false", value, ...attributes });
     const types = this.choices(schema).map((one) => one.type);
     input.addEventListener("change", () => {
-      const text = input.value.trim();
+      const text = fromField(input.value.trim());
       if (isList) {
         try {
           this.changed(keys, JSON.parse(text) as Value);

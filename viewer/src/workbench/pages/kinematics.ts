@@ -4,7 +4,7 @@ import { Store } from "../../data";
 import { inStyle } from "../../lines";
 import { type Centres, MechanismView } from "../../mechanism";
 import { make, toggle, whenColoursChange, written } from "../../page";
-import { tr } from "../../words";
+import { fromField, inField, localised, tr } from "../../words";
 import * as api from "../api";
 import { Against, type Differences, Differing } from "../comparing";
 import { designing, type Target } from "../designing";
@@ -22,10 +22,11 @@ import {
   Steps,
 } from "../parts";
 import { Points } from "../points";
-import { inWords, quantity } from "../quantities";
+import { inWords, part, quantity } from "../quantities";
 import { asSaid } from "../refusals";
 import { saveChart, saveDrawing } from "../saving";
 import { address, choose, given, setLive, type Values } from "../shell";
+import { row, table } from "../table";
 
 type Over = "travel" | "rack" | "roll";
 /** State that survives the reload after saving: targets, and changes made meanwhile. */
@@ -57,7 +58,7 @@ class Drive {
     step: number,
     changed: (isRange: boolean) => void,
   ) {
-    this.range.value = `${-reach} ${unit}:${reach} ${unit}:${step} ${unit}`;
+    this.range.value = inField(`${-reach} ${unit}:${reach} ${unit}:${step} ${unit}`);
     this.slider.min = String(-reach);
     this.slider.max = String(reach);
     this.slider.value = "0";
@@ -75,7 +76,9 @@ class Drive {
       }
     });
     this.range.addEventListener("change", () => {
-      const [first, last] = this.range.value.split(":").map((one) => parseFloat(one));
+      const [first, last] = fromField(this.range.value)
+        .split(":")
+        .map((one) => parseFloat(one));
       if (Number.isFinite(first) && Number.isFinite(last)) {
         this.slider.min = String(first);
         this.slider.max = String(last);
@@ -386,6 +389,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         differing.show(extra.differences);
         same.show(extra);
         outdated.show(extra);
+        listed();
         view.draw();
         times.push(performance.now() - began);
         state.textContent =
@@ -399,6 +403,21 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         clearTimeout(waiting);
       }
     });
+  const places = make("tbody", {});
+  /** Coordinates of all hardpoints as they are moved. */
+  const listed = () => {
+    const rows = new Map<string, string[]>();
+    for (const { path, value } of moved()) {
+      const [, own, axis] = /^hardpoints\.(\w+)\[([012])\]$/.exec(path) ?? [];
+      if (!own) continue;
+      const cells = rows.get(own) ?? ["", "", ""];
+      cells[Number(axis)] = localised((1000 * value).toFixed(2));
+      rows.set(own, cells);
+    }
+    places.replaceChildren(
+      ...[...rows].map(([own, cells]) => row([part(own), ...cells], [1, 2, 3])),
+    );
+  };
   const legend = make("ul", { class: "legend" }),
     filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
   filter.addEventListener("input", () => multiples.filter(filter.value));
@@ -525,6 +544,14 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, tr("Parameters")),
     sliders.element,
     ...(isOwn ? [make("p", { class: "bar" }, write, written_), review] : []),
+    make("h2", {}, tr("Hardpoints")),
+    table(
+      tr("Hardpoints"),
+      ["hardpoint", "x [mm]", "y [mm]", "z [mm]"],
+      places,
+      [1, 2, 3],
+      tr("x forward, y left, z up; with the changes of this page"),
+    ),
     make("h2", {}, tr("Targets")),
     wanted.element,
     make("h2", {}, tr("Design from targets")),
@@ -577,7 +604,7 @@ class Targets {
       if (found) {
         const text = found.unit.replace("°", "deg");
         value.value = `0 ${text}`.trim();
-        tolerance.value = `0.1 ${text}`.trim();
+        tolerance.value = inField(`0.1 ${text}`.trim());
       }
     };
     this.quantity.addEventListener("change", unit);
