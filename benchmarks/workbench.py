@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import random
 import shutil
 import statistics
 import subprocess
@@ -24,7 +25,6 @@ from typing import Any
 import numpy as np
 
 TABLE = Path(__file__).parents[1] / "docs" / "explanation" / "workbench-speed.md"
-STATIC = Path(__file__).parents[1] / "src" / "jounce" / "web" / "static"
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 ARGUMENTS = ["--no-sandbox", "--disable-quic"]
 SLIDER = """async ([selector, count, values]) => {
@@ -73,15 +73,65 @@ def median(times: list[float]) -> str:
     return f"{statistics.median(ordered):.0f} ms (90th percentile {ordered[int(0.9 * (len(ordered) - 1))]:.0f} ms)"
 
 
-def long_record(folder: Path) -> None:
-    """A recording of ten million samples."""
-    import xarray as xr
+LENGTHS = {"long.nc": 10_000_000, "longest.nc": 100_000_000}
+TEXT = 500_000  # rows of a text file
 
-    time_ = np.arange(10_000_000) / 1000.0
-    noise = np.random.default_rng(0).standard_normal(len(time_)).astype("f4")
-    values = ("time", np.sin(time_).astype("f4") + 0.1 * noise, {"units": "m/s^2"})
-    record = xr.Dataset({"sprung.az": values}, coords={"time": ("time", time_, {"units": "s"})})
-    record.to_netcdf(folder / "long.nc", engine="h5netcdf")
+
+def long_record(file: Path, count: int) -> None:
+    """Write a recording of one channel."""
+    import h5py
+
+    chunk, noise = 1 << 20, np.random.default_rng(0)
+    with h5py.File(file, "w") as record:
+        instants = record.create_dataset("time", (count,), "f8", chunks=(chunk,))
+        instants.make_scale("time")
+        values = record.create_dataset("sprung.az", (count,), "f4", chunks=(chunk,))
+        values.dims[0].attach_scale(instants)
+        instants.attrs["units"], values.attrs["units"] = "s", "m/s^2"
+        for start in range(0, count, chunk):
+            part = np.arange(start, min(start + chunk, count)) / 1000.0
+            instants[start : start + len(part)] = part
+            values[start : start + len(part)] = np.sin(part) + 0.1 * noise.standard_normal(
+                len(part)
+            )
+
+
+def text_record(file: Path) -> float:
+    """Write a text file of four columns; return its size, MB."""
+    time_ = np.arange(TEXT) / 1000.0
+    noise = np.random.default_rng(0).standard_normal((2, TEXT))
+    np.savetxt(file, np.column_stack([time_, np.sin(time_), *noise]), fmt="%.6g", delimiter=",", comments="",
+               header="time [s],sprung.az [m/s^2],unsprung.az [m/s^2],strut.deflection [mm]")  # fmt: skip
+    return file.stat().st_size / 1e6
+
+
+def memory(process: int) -> str:
+    """Memory of a process: resident, and the part that it shares with no other."""
+    rows = Path(f"/proc/{process}/smaps_rollup").read_text(encoding="utf-8").splitlines()
+    held = {row.split(":")[0]: int(row.split()[1]) / 1024 for row in rows[1:]}
+    own = held["Private_Clean"] + held["Private_Dirty"]
+    return f"{held['Rss']:.0f} MB, {own:.0f} MB of it alone"
+
+
+def random_requests(served: Served, count: int) -> None:
+    """Send requests of the pages in random order with random numbers."""
+    choice = random.Random(0)  # noqa: S311 - no secret
+    road = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.2 m"}
+    rigs = {
+        "kart-double-wishbone": 22_000.0,
+        "kart-quarter-car": 22_000.0,
+        "formula-student-front": 35_000.0,
+    }
+    for _ in range(count):
+        rig = choice.choice(list(rigs))
+        changes = {"strut.spring.rate": rigs[rig] * choice.uniform(0.6, 1.5)}
+        run = {"rig": rig, "changes": changes, "road": road, "speed": f"{choice.uniform(1, 9):.2f} m/s",
+               "duration": choice.choice(["0.5 s", "1.5 s"]), "numbers": []}  # fmt: skip
+        sweep = {"rig": "kart-double-wishbone", "travel": "-20 mm : 20 mm : 2 mm",
+                 "changes": {"hardpoints.tie_rod_inner[2]": choice.uniform(0.1, 0.12)}}  # fmt: skip
+        asked = [("POST", "api/simulate", run), ("POST", "api/kinematics", sweep), ("GET", "api/project", None),
+                 ("GET", f"api/rig?name={rig}", None), ("GET", "api/library", None)]  # fmt: skip
+        served.ask(*choice.choice(asked))
 
 
 def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
@@ -89,7 +139,6 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
     from playwright.sync_api import sync_playwright
 
     rows = [("server up", "1.5 s", f"{served.up:.2f} s")]
-    size = sum(file.stat().st_size for file in STATIC.iterdir())
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
         context = browser.new_context(viewport={"width": 1280, "height": 720})
@@ -99,7 +148,14 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         page.goto(served.address)
         page.wait_for_selector("html[data-ready=project]")
         rows.append(("page ready", "1.5 s", f"{time.perf_counter() - began:.2f} s"))
-        rows.append(("bundle", "0.5 MB", f"{size / 1e6:.2f} MB"))
+        sizes = page.evaluate(SIZES)
+        rows.append(("first page, compressed", "150 kB", f"{sum(sizes) / 1e3:.0f} kB"))
+        paints = []
+        for _ in range(7):
+            page.reload()
+            page.wait_for_selector("html[data-ready=project]")
+            paints.append(page.evaluate(PAINT))
+        rows.append(("first paint, warm", "300 ms", median(paints)))
 
         def opened(where: str, ready: str) -> None:
             page.goto(f"{served.base}#/{where}")
@@ -116,6 +172,17 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         times = page.evaluate(SLIDER, [path, 30, True])
         what = "slider to redrawn curves (3 x 10 000 samples, as changed and as it is) with the mechanism moving"
         rows.append((what, "100 ms", median(times)))
+        for rig, target in (("formula-student-front", "–"), ("kart-quarter-car", "60 ms")):
+            opened(f"trial?rig={rig}", ".player .u-over")
+            times = page.evaluate(SLIDER, [path, 30, True])
+            moved = page.evaluate(MOVED)
+            rows.append(
+                (
+                    f"slider to redrawn curves, {rig}",
+                    target,
+                    f"{median(times)}, {moved / 1e3:.0f} kB a step",
+                )
+            )
         opened("kinematics?rig=formula-student-front", ".multiples figure")
         count = page.locator(".multiples figure").count()
         times = page.evaluate(DRAG, 30)
@@ -124,18 +191,39 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         rows.append(
             (f"travel slider to the pose of mechanism and {count} curves", "–", median(times))
         )
-        long_record(folder)
-        began = time.perf_counter()
-        opened("record?path=long.nc", ".u-over")
-        rows.append(
-            (
-                "recording of 10 million samples opened",
-                "3 s",
-                f"{time.perf_counter() - began - 2.5:.2f} s",
+        for name, count in LENGTHS.items():
+            long_record(folder / name, count)
+            began = time.perf_counter()
+            opened(f"record?path={name}", ".u-over")
+            spent = time.perf_counter() - began - 2.5
+            rows.append(
+                (
+                    f"recording of {count:.0e} samples opened",
+                    "3 s" if name == "long.nc" else "–",
+                    f"{spent:.2f} s",
+                )
             )
-        )
-        times = page.evaluate(PAN, 40)
-        rows.append(("panned by a fifth of what is seen, redrawn", "no stutter", median(times)))
+            times = page.evaluate(PAN, 40)
+            rows.append(
+                (
+                    "panned by a fifth of what is seen: the frame",
+                    "33 ms",
+                    median([frame for frame, _ in times]),
+                )
+            )
+            rows.append(
+                ("and its finest curves", "no stutter", median([whole for _, whole in times]))
+            )
+            (folder / name).unlink()
+        size = text_record(folder / "long.csv")
+        for what, target in (("opened", "50 MB/s"), ("opened again", "0.5 s")):
+            page.goto("about:blank")
+            began = time.perf_counter()
+            opened("record?path=long.csv", ".u-over")
+            spent = time.perf_counter() - began - 2.5
+            rows.append(
+                (f"text of {size:.0f} MB {what}", target, f"{spent:.2f} s, {size / spent:.0f} MB/s")
+            )
         rows.append(
             (
                 "eight tabs and four jobs: the page answers in",
@@ -144,9 +232,25 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
             )
         )
         browser.close()
+    held = []
+    for _ in range(4):
+        random_requests(served, 500)
+        held.append(memory(served.process.pid))
+    rows.append(
+        (
+            "memory of the server after 500, 1000, 1500 and 2000 more requests at random",
+            "150 MB",
+            "; ".join(held),
+        )
+    )
     return rows
 
 
+SIZES = """performance.getEntriesByType("resource").filter((one) => /\\.(js|css)$/.test(one.name))
+  .map((one) => one.transferSize)"""
+PAINT = """performance.getEntriesByName("first-contentful-paint")[0].startTime"""
+MOVED = """performance.getEntriesByType("resource").filter((one) => one.name.endsWith("/api/simulate")).at(-1)
+  .decodedBodySize"""
 DRAG = """async (count) => {
   const times = [], frame = () => new Promise((done) => requestAnimationFrame(done));
   const input = document.querySelector(".points input[aria-label='z [mm]']");
@@ -171,9 +275,11 @@ PAN = """async (count) => {
   for (let i = 0; i < count; i++) {
     const before = jounce.live.times.length, began = performance.now();
     press(i % 20 < 10 ? "ArrowRight" : "ArrowLeft");
+    await frame();
+    const drawn = performance.now() - began;
     while (jounce.live.times.length === before && performance.now() - began < 2000) await frame();
     await frame();
-    times.push(performance.now() - began);
+    times.push([drawn, performance.now() - began]);
   }
   return times;
 }"""
@@ -260,7 +366,8 @@ def main() -> None:
     text = f"{head}\n{chr(10).join(lines)}\n\nMeasured on {where}; load of the machine at the end {load:.1f}.\n"
     print(text)
     if "--write" in sys.argv:
-        TABLE.write_text(text, encoding="utf-8")
+        _, mark, others = TABLE.read_text(encoding="utf-8").partition("\n## ")
+        TABLE.write_text(f"{text}{mark}{others}", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -127,7 +127,7 @@ class Records:
     def _ask(self, title: str, question: dict[str, Any]) -> None:
         limits = (_MEMORY, _SECONDS)
         self.jobs.ask(
-            JobSpec(title, [], limits=limits, patience=90.0, question=question, light=True)
+            JobSpec(title, [], limits=limits, patience=300.0, question=question, light=True)
         )
 
 
