@@ -83,6 +83,9 @@ def test_recordings_are_overlaid_and_measured(page: Any, workbench: tuple[Path, 
         "sprung.az [m/s^2] first.csv",
         "sprung.az [m/s^2] second.csv",
     ]
+    heads = page.locator("[aria-label='Figures of the window'] thead th").all_inner_texts()
+    names = "channel,A,B,B − A,minimum,maximum,mean,r.m.s.,std. dev.,samples"
+    assert heads == names.split(",")
     inside = (TIME >= 2.0) & (TIME <= 6.0)
     speed = (20.0 + np.sin(0.5 * TIME))[inside]
     _, a, b, apart, low, high, mean, rms, deviation, samples = rows[0]
@@ -240,12 +243,12 @@ def test_charts_and_events_of_the_window(page: Any, workbench: tuple[Path, int])
     page.get_by_label("Event at cursor A").fill("kerb")
     page.get_by_role("button", name="Add the event").click()
     page.locator(".flag", has_text="kerb").wait_for()
-    page.get_by_label("Notes").fill("tyres worn")
-    page.get_by_label("Notes").blur()
+    page.get_by_label("Notes on this layout").fill("tyres worn")
+    page.get_by_label("Notes on this layout").blur()
     page.wait_for_timeout(600)
     page.reload()
     page.wait_for_selector("html[data-ready=data]")
     page.locator(".flag", has_text="kerb").wait_for()
-    assert page.get_by_label("Notes").input_value() == "tyres worn"
+    assert page.get_by_label("Notes on this layout").input_value() == "tyres worn"
     page.get_by_label("remove kerb").click()
     page.locator(".flag").wait_for(state="detached")

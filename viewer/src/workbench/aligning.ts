@@ -111,7 +111,7 @@ export class Aligning {
           : { maximum_shift: this.most.valueAsNumber }),
       });
       const found = (await answer.json()) as Aligned;
-      layout.recordings[moved]!.shifts.time = Number(found.shift.toPrecision(9));
+      layout.recordings[moved]!.shifts.time = Number(found.shift.toFixed(6));
       this.laid.changed();
       this.said.textContent =
         `${tr("Shifted by # s.", written(found.shift, 6))} ` +

@@ -12,7 +12,7 @@ export class EventList {
   private readonly text = textBox("", tr("kerb, gear change, sensor lost …"));
   private readonly of = make("select", {});
   private readonly list = make("ul", { class: "events" });
-  private readonly note = make("textarea", { rows: "3", "aria-label": tr("Notes") });
+  private readonly note = make("textarea", { rows: "3", "aria-label": tr("Notes on this layout") });
   readonly element: HTMLElement;
 
   constructor(
@@ -38,7 +38,7 @@ export class EventList {
         make("button", { type: "button", click: () => this.add() }, tr("Add the event")),
       ),
       this.list,
-      make("label", { class: "field" }, make("span", {}, tr("Notes")), this.note),
+      make("label", { class: "field" }, make("span", {}, tr("Notes on this layout")), this.note),
     );
   }
 

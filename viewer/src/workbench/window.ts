@@ -77,7 +77,6 @@ export class WindowTable {
         "Figures of the window",
         [
           "channel",
-          "unit",
           "A",
           "B",
           "B − A",
