@@ -198,6 +198,7 @@ from .recordings.options import RecordFile as RecordFile
 from .report.animation import animate as animate
 from .report.campaign_folder import report_campaign as report_campaign
 from .report.inspected import evaluate_inspection as evaluate_inspection
+from .report.inspected import open_inspection as open_inspection
 from .report.protocol import write_protocol as write_protocol
 from .ride.closed_forms import spring_and_damper as spring_and_damper
 from .ride.drives import compare_controllers as compare_controllers

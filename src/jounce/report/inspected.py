@@ -24,9 +24,10 @@ from jounce.inspection.archive.lane import (
     grading_of,
     inspect_record,
     refusal_of,
+    stored_tester,
 )
 from jounce.inspection.grading import VehicleGrade, grade_vehicle
-from jounce.inspection.limits import load_limits
+from jounce.inspection.limits import Limits, load_limits
 from jounce.inspection.quantities import LANGUAGES, Language
 from jounce.inspection.record import read_record, with_facts
 from jounce.parts import load
@@ -39,6 +40,12 @@ if TYPE_CHECKING:
     from jounce.inspection.archive.store import Store
 
 _AXLES = ("front", "rear")
+PROTOCOLS = Texts(
+    "Write a protocol (.pdf or .html), with its values as .json; CAR.pdf,html writes both. Repeat it.",
+    "FILE",
+)
+LANGUAGE = Mark("Language of the protocol: en or de.")
+STORE = Mark("The store: a SQLite file, or a database URL.", "STORE")
 
 
 @dataclass(frozen=True)
@@ -171,18 +178,12 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
         ),
     ] = (),
     limits: Annotated[Path | str | None, LIMITS] = None,
-    reports: Annotated[
-        Sequence[Path | str],
-        Texts(
-            "Write a protocol (.pdf or .html), with its values as .json; CAR.pdf,html writes both. Repeat it.",
-            "FILE",
-        ),
-    ] = (),
+    reports: Annotated[Sequence[Path | str], PROTOCOLS] = (),
     store: Annotated[
         Path | str | None,
         Mark("Store record and result: a SQLite file (created if missing), or a database URL."),
     ] = None,
-    language: Annotated[Language, Mark("Language of the protocol: en or de.")] = "en",
+    language: Annotated[Language, LANGUAGE] = "en",
     date: Annotated[str | None, Mark("Day of the test, e.g. 2026-11-21.")] = None,
     place: Annotated[str | None, Mark("Location of the test.")] = None,
     plate: Annotated[str | None, Mark("Number plate of the vehicle.")] = None,
@@ -252,19 +253,9 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     >>> evaluate_inspection([file], "egea-specsus2018", place="Kempten").graded.verdict
     'pass'
     """
-    if len(records) > len(_AXLES):
-        raise DescriptionError(
-            "too many records", where="records", found=len(records), allowed="one per axle"
-        )
     paths = [existing_file(file, RecordingError) for file in records]
     deciding = check_methods(methods)
-    if language not in LANGUAGES:
-        raise unknown(language, LANGUAGES, what="language", where="language")
-    protocols = [file for given in reports for file in _formats_of(Path(given))]
-    for file in protocols:
-        check_protocol(file, force=force)
-    if len(set(protocols)) < len(protocols):
-        raise DescriptionError("the same protocol is given twice", where="reports")
+    protocols = _checked_protocols(records, reports, language, force=force)
     chosen, under_test = as_tester(tester), None if vehicle is None else load(vehicle)
     name = "" if vehicle is None else Path(vehicle).stem
     facts = {"date": date, "place": place, "plate_number": plate, "operator": inspector}
@@ -282,26 +273,177 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     whole = grade_vehicle([found.graded for found in inspected])
     digests = [sha256(found.path.read_bytes()).hexdigest()[:12] for found in inspected]
     about = {"vehicle": name, "tester": chosen.name, **facts_of(whole)}
+    written, missing = _write_protocols(
+        whole, inspected, digests, protocols, about, language, force=force
+    )
+    location = "" if opened is None else opened.location
+    return EvaluatedVehicle(whole, tuple(inspected), written, location, tuple(numbers), missing)
+
+
+@operation(
+    "inspect protocol",
+    named={"records": "record", "reports": "report"},
+    faces={"report": None},
+    page="jounce.report.inspected:evaluated_page",
+    title="{result.title}",
+    doing="reading the store",
+    example="jounce inspect protocol 1 2 --store lane.sqlite --report car.pdf",
+)
+def open_inspection(
+    records: Annotated[
+        Sequence[int | str],
+        Texts("Number of the record of one axle in the store, or of each axle.", "RECORD..."),
+    ],
+    store: Annotated[Path | str, STORE],
+    *,
+    limits: Annotated[Path | str | None, LIMITS] = None,
+    reports: Annotated[Sequence[Path | str], PROTOCOLS] = (),
+    language: Annotated[Language, LANGUAGE] = "en",
+    force: Annotated[bool, Switch("Overwrite existing output.")] = False,
+) -> EvaluatedVehicle:
+    """Open the protocol of stored records again: with their signals, tester, vehicle, methods and facts.
+
+    The store is not changed. Records whose newest grading differs, because other limits applied, are refused.
+
+    Parameters
+    ----------
+    records : sequence of int or str
+        Number of the record of one axle, or of each axle, as in ``inspect search``.
+    store : Path or str
+        SQLite file, or a database URL.
+    limits : Path or str, optional
+        Limits file of the stored grading; by default the shipped limits.
+    reports : sequence of Path or str
+        Protocols to write, as for :func:`evaluate_inspection`.
+    language : {"en", "de"}
+        Language of the protocols.
+    force : bool
+        Overwrite existing protocols.
+
+    Returns
+    -------
+    EvaluatedVehicle
+        Values, grades and verdicts as stored, and the files written.
+
+    Raises
+    ------
+    RecordingError
+        If the store or a record does not exist, cannot be read, or was graded otherwise.
+    DescriptionError
+        If a number or the limits are invalid.
+    OutputError
+        If a protocol exists and ``force`` is not given.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import jounce as jn
+    >>> from jounce.testers.testing import write_test
+    >>> _, record = jn.simulate_axle(jn.load("audi-a6-full-car"), "egea-specsus2018")
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> _ = write_test(record, folder / "front.csv")
+    >>> first = evaluate_inspection(
+    ...     [folder / "front.csv"], "egea-specsus2018", store=folder / "lane.sqlite"
+    ... )
+    >>> again = open_inspection(first.numbers, folder / "lane.sqlite", reports=[folder / "car.html"])
+    >>> again.graded.verdict == first.graded.verdict, (folder / "car.html").is_file()
+    (True, True)
+    """
+    from jounce.inspection.archive.store import Store
+
+    numbers = [_number(text) for text in records]
+    protocols = _checked_protocols(numbers, reports, language, force=force)
+    with closing(Store(store, read_only=True)) as opened:
+        applied = load_limits(limits)
+        found = [_reopened(opened, number, applied) for number in numbers]
+        entries = [opened.entry(number) for number in numbers]
+        digests = [sha256(opened.content(number)[0]).hexdigest()[:12] for number in numbers]
+        location = opened.location
+    first, whole = entries[0], grade_vehicle([record.graded for record in found])
+    known = {"vehicle": first.vehicle, "plate_number": first.plate, "date": first.date}
+    about = {"tester": first.tester, **facts_of(whole), **{k: v for k, v in known.items() if v}}
+    written, missing = _write_protocols(
+        whole, found, digests, protocols, about, language, force=force
+    )
+    return EvaluatedVehicle(whole, tuple(found), written, location, tuple(numbers), missing)
+
+
+def _number(text: int | str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        raise DescriptionError(
+            "not the number of a record", where="records", found=text, allowed="see: inspect search"
+        ) from None
+
+
+def _reopened(store: Store, number: int, limits: Limits) -> InspectedRecord:
+    """Evaluate a stored record as it was; one that was graded otherwise is refused."""
+    from jounce.inspection.archive.reevaluation import stored_signals, stored_vehicle
+
+    entry, stored = store.entry(number), store.newest_grading(number)
+    tester = stored_tester(entry)
+    read = stored_signals(store, number, entry, tester)
+    found = inspect_record(
+        entry.name, tester, stored_vehicle(entry), entry.methods or None, limits, read=read
+    )
+    now = (found.graded.verdict, limits.label)
+    if stored is not None and (stored.verdict, stored.limits) != now:
+        raise RecordingError(
+            "the stored grading is another one",
+            where=f"{store.location}, record {number}",
+            found=Phrase("{verdict} under {limits}", verdict=stored.verdict, limits=stored.limits),
+            allowed=Phrase("{verdict} under {limits}", verdict=now[0], limits=now[1]),
+            hint="Give the limits of that grading, or grade the store again: inspect reevaluate.",
+        )
+    return found
+
+
+def _checked_protocols(
+    records: Sequence[object], reports: Sequence[Path | str], language: str, *, force: bool
+) -> list[Path]:
+    """Check in advance what cannot be written; return the files of all protocols."""
+    if not 1 <= len(records) <= len(_AXLES):
+        what = "too many records" if records else "no record"
+        raise DescriptionError(what, where="records", found=len(records), allowed="one per axle")
+    if language not in LANGUAGES:
+        raise unknown(language, LANGUAGES, what="language", where="language")
+    protocols = [file for given in reports for file in _formats_of(Path(given))]
+    for file in protocols:
+        check_protocol(file, force=force)
+    if len(set(protocols)) < len(protocols):
+        raise DescriptionError("the same protocol is given twice", where="reports")
+    return protocols
+
+
+def _write_protocols(
+    vehicle: VehicleGrade,
+    records: Sequence[InspectedRecord],
+    digests: Sequence[str],
+    files: Sequence[Path],
+    about: dict[str, str],
+    language: Language,
+    *,
+    force: bool,
+) -> tuple[tuple[Path, ...], tuple[Finding, ...]]:
+    """Write the protocols; return the files, and the figures that could not be drawn."""
     about["record"] = ", ".join(
         f"{found.path.name} (sha256 {digest})"
-        for found, digest in zip(inspected, digests, strict=True)
+        for found, digest in zip(records, digests, strict=True)
     )
-    signals = {found.graded.axle: found.record for found in inspected}
+    signals = {found.graded.axle: found.record for found in records}
     written: list[Path] = []
     missing: list[Finding] = []
-    for file in protocols:
-        is_allowed = force or file is not protocols[0]  # all protocols share one JSON file
+    for file in files:
+        is_allowed = force or file is not files[0]  # all protocols share one JSON file
         try:
             written += write_protocol(
-                whole, file, records=signals, language=language, about=about, force=is_allowed
+                vehicle, file, records=signals, language=language, about=about, force=is_allowed
             )
         except DrawingError as error:
             written.append(file.with_suffix(".json"))
             missing += error.findings
-    location = "" if opened is None else opened.location
-    return EvaluatedVehicle(
-        whole, tuple(inspected), tuple(written), location, tuple(numbers), tuple(missing)
-    )
+    return tuple(written), tuple(missing)
 
 
 @dataclass(frozen=True)

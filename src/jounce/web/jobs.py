@@ -19,7 +19,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -139,6 +139,19 @@ class Jobs:
 
     def ask(self, spec: JobSpec) -> dict[str, Any]:
         """Run a short task in a separate process with limits, and wait for its result."""
+        with self._finished(spec) as folder:
+            page = folder / "report.html"
+            text = page.read_text(encoding="utf-8") if page.is_file() else ""
+            return {"result": _result(folder), "page": text, **equivalents(spec)}
+
+    def document(self, spec: JobSpec) -> bytes:
+        """Run a short task that writes ``report.pdf``, wait for it, and return the document."""
+        with self._finished(spec) as folder:
+            return (folder / "report.pdf").read_bytes()
+
+    @contextlib.contextmanager
+    def _finished(self, spec: JobSpec) -> Iterator[Path]:
+        """Run a task in a separate process; give its folder once it has ended well."""
         with tempfile.TemporaryDirectory(prefix="jounce-") as place:
             folder = self._write_job(Path(place) / "asked", spec, None)
             if spec.light:
@@ -153,9 +166,7 @@ class Jobs:
             outcome = _outcome(folder, end.code if end else -1)
             if outcome["error"] is not None:
                 raise Refused(outcome["error"])
-            page = folder / "report.html"
-            text = page.read_text(encoding="utf-8") if page.is_file() else ""
-            return {"result": _result(folder), "page": text, **equivalents(spec)}
+            yield folder
 
     def prepare(self) -> None:
         """Start a process that forks workers for the page's requests, because starting a process is slow."""

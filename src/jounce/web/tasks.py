@@ -283,6 +283,23 @@ class EvaluateTask(_Task):
         return JobSpec(title, request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
+class ProtocolTask(_Task):
+    """The protocol of stored records, one of each axle, as they were graded."""
+
+    kind: Literal["protocol"]
+    store: Text
+    records: Annotated[list[int], Field(min_length=1, max_length=2)]
+    language: Literal["en", "de"] = "en"
+
+    def _spec(self, project: Project) -> JobSpec:
+        store = _file(project, self.store)
+        numbers = [str(number) for number in self.records]
+        given = {"record": numbers, "store": store, "language": self.language}
+        request = _request("inspect protocol", given)
+        title = f"Protocol of record {', '.join(numbers)}"
+        return JobSpec(title, request.words(), _REPORT, request.python(), limits=LIMITS)
+
+
 class HistoryTask(_Task):
     """The history of one vehicle in a store, with the change per year."""
 
@@ -439,11 +456,12 @@ class PreviewTask(_Reading):
 
 AnyTask = (
     SweepTask | CampaignTask | DesignTask | CompareTask | OverlayTask | ParetoTask | EvaluateTask | HistoryTask
-    | SearchTask | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
+    | ProtocolTask | SearchTask | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
 )  # fmt: skip
 Asked = Annotated[AnyTask, Field(discriminator="kind")]
 _READ: TypeAdapter[AnyTask] = TypeAdapter(Asked)
 _REPORT = ["--report={folder}/report.html"]
+AS_PDF = ["--report={folder}/report.pdf"]
 
 
 def task_of(plain: Mapping[str, Any]) -> AnyTask:

@@ -9,10 +9,11 @@ import json
 import secrets
 from collections import OrderedDict
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import require
@@ -24,7 +25,7 @@ from jounce.web.jobs import Jobs
 from jounce.web.project import RECORDS, Project, unusable
 from jounce.web.safety import PROTOCOL
 from jounce.web.studies import write_study
-from jounce.web.tasks import LIMITS, Asked, JobSpec, spec_of
+from jounce.web.tasks import AS_PDF, LIMITS, Asked, EvaluateTask, JobSpec, ProtocolTask, spec_of
 from jounce.web.untrusted import content
 
 require("fastapi", "web")  # ruff: isort: split
@@ -160,6 +161,15 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
             while len(pages) > _MOST_PAGES:
                 pages.popitem(last=False)
         return {**answer, "report": seal(f"/api/reports/{key}") if key else ""}
+
+    @router.post("/api/protocol")
+    def protocol(
+        asked: Annotated[EvaluateTask | ProtocolTask, Field(discriminator="kind")],
+    ) -> Response:
+        """Return a protocol as PDF; nothing is stored."""
+        told = asked.model_copy(update={"store": ""}) if asked.kind == "evaluate" else asked
+        spec = replace(spec_of(told, project), hidden=AS_PDF)
+        return _alone(jobs.document(spec), ".pdf")
 
     @router.get("/api/reports/{key}")
     def past_report(key: str) -> Response:

@@ -168,8 +168,8 @@ def test_descriptions_that_a_store_keeps_are_read_again(tmp_path: Path) -> None:
     kept = entry_of(record, tester=tester, vehicle=car)
     assert stored_tester(json_again(kept, "tester_table")) == tester
     assert rig_from_table(json_again(kept, "vehicle_table").vehicle_table) == car
-    assert reevaluation._vehicle(json_again(kept, "vehicle_table")) == car
-    assert reevaluation._vehicle(entry_of(record, tester=tester)) is None
+    assert reevaluation.stored_vehicle(json_again(kept, "vehicle_table")) == car
+    assert reevaluation.stored_vehicle(entry_of(record, tester=tester)) is None
 
 
 def json_again(entry: RecordEntry, name: str) -> RecordEntry:

@@ -154,7 +154,7 @@ def test_text_of_the_user_is_escaped(html: str) -> None:
 
 
 def test_all_curves_are_there(html: str) -> None:
-    assert len(re.findall(r"<details><summary>Trial", html)) == 3
+    assert len(re.findall(r"<details data-scene=\"trial-\d+\"><summary>Trial", html)) == 3
     assert html.count("data-viewer=") == 1
     assert [number for number in (1, 2, 3) if f'id="picture-trial-0{number}"' in html] == [1, 2, 3]
 
@@ -343,7 +343,7 @@ def test_five_hundred_trials_are_a_page_that_opens(result: CampaignResult, tmp_p
     html = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
     assert "Shown are 64 of 500 trials" in html
     assert 'id="picture-trial-500"' in html  # the fitted one
-    assert len(re.findall(r"<details><summary>Trial", html)) == 64
+    assert len(re.findall(r"<details data-scene=\"trial-\d+\"><summary>Trial", html)) == 64
     assert len(html) < 4_000_000
     reader = Reader(html)
     assert {link.removeprefix("#") for link in reader.links if link.startswith("#")} <= set(

@@ -389,7 +389,12 @@ export function failures(result: unknown): HTMLElement[] {
 }
 
 /** A report in a frame of its own, where its script can ask nothing; German pages say which is English. */
-export function report(address: string, title: string, language = "en"): HTMLElement {
+export function report(
+  address: string,
+  title: string,
+  language = "en",
+  ...more: HTMLElement[]
+): HTMLElement {
   return make(
     "section",
     { class: "whole" },
@@ -399,6 +404,7 @@ export function report(address: string, title: string, language = "en"): HTMLEle
       make("h2", {}, title),
       ...(isGerman && language === "en" ? [make("span", { class: "muted" }, "(englisch)")] : []),
       make("a", { href: address, target: "_blank", rel: "noopener" }, "open in a new tab"),
+      ...more,
     ),
     make("iframe", { src: address, title, sandbox: "allow-scripts", class: "report" }),
   );

@@ -108,6 +108,12 @@ function menu(label: string, entries: [string, () => Promise<unknown>][]): HTMLE
   return make("div", { class: "saving" }, whole, said);
 }
 
+/** A menu that saves one document, which the server makes when it is asked for. */
+export function saveDocument(name: string, content: () => Promise<Blob>): HTMLElement {
+  const save = async () => download(await content(), named(name, "pdf"));
+  return menu(tr("Save this document"), [[tr("PDF document"), save]]);
+}
+
 /** Saves or copies the curves of an element. */
 export function saveChart(element: Element, caption: () => string): HTMLElement {
   const blocks = (): Block[] => {

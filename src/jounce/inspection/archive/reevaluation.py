@@ -195,9 +195,9 @@ def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outco
             if entry.tester_table is None and task.tester is not None
             else stored_tester(entry)
         )
-        read = _signals(store, number, entry, tester, from_files=task.from_files)
+        read = stored_signals(store, number, entry, tester, from_files=task.from_files)
         inspection = inspect_record(
-            entry.name, tester, _vehicle(entry), entry.methods or None, task.limits, read=read
+            entry.name, tester, stored_vehicle(entry), entry.methods or None, task.limits, read=read
         )
         grading = grading_of(inspection.graded)
     except _Lost as error:
@@ -216,13 +216,14 @@ def _reevaluate_record(store: Store, task: _Reevaluation, number: int) -> _Outco
     )
 
 
-class _Lost(Exception):
+class _Lost(RecordingError):
     """The bytes of a record differ from those imported."""
 
 
-def _signals(
-    store: Store, number: int, entry: RecordEntry, tester: Tester, *, from_files: bool
+def stored_signals(
+    store: Store, number: int, entry: RecordEntry, tester: Tester, *, from_files: bool = False
 ) -> tuple[xr.Dataset, list[Finding]]:
+    """Return the signals of a stored record with the findings of its reader."""
     try:
         packed = None if from_files else store.signals(number)
         if packed is not None:
@@ -236,7 +237,8 @@ def _signals(
     return read_entry(replace(entry, content=content, sidecar=sidecar), tester)
 
 
-def _vehicle(entry: RecordEntry) -> Any:
+def stored_vehicle(entry: RecordEntry) -> Any:
+    """Return the vehicle of a stored record from its description; ``None`` if it has none."""
     return (
         None
         if entry.vehicle_table is None

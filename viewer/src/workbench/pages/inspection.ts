@@ -10,6 +10,7 @@ import { field, optional, select, snippets, textBox } from "../parts";
 import { WHEEL_QUANTITIES } from "../quantities";
 import { Reading } from "../reading";
 import { advised, asSaid } from "../refusals";
+import { saveDocument } from "../saving";
 import { address, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
 
@@ -190,11 +191,7 @@ function evaluation(
     (reply: Reply<Graded>, asked) => {
       used(was);
       if (reply.result.store) stored(asked.store);
-      return [
-        ...graded(reply.result),
-        report(reply.report, "Test report", asked.language),
-        snippets(reply),
-      ];
+      return [...graded(reply.result), testReport(reply, asked), snippets(reply)];
     },
   );
   const none = make(
@@ -238,6 +235,67 @@ function evaluation(
     };
   };
   return { element: make("div", {}, none, whole), here, controls };
+}
+
+/** The test report of one or two axles, which can be saved as PDF; nothing is stored again. */
+const testReport = (reply: Reply<Graded>, asked: { language: string }): HTMLElement =>
+  report(
+    reply.report,
+    "Test report",
+    asked.language,
+    saveDocument("Test report", async () =>
+      (await api.asked("POST", "/api/protocol", asked)).blob(),
+    ),
+  );
+
+/** Opens the protocol of stored records below a list, as they were graded. */
+function reopened(store: string, records: number[], place: HTMLElement): void {
+  const protocol = new Question<Graded>(
+    "Again",
+    () => ({ kind: "protocol", store, records, language: isGerman ? "de" : "en" }),
+    (reply, asked) => [
+      make("h3", {}, `Protocol of record ${records.join(", ")}`),
+      ...graded(reply.result),
+      testReport(reply, asked as { language: string }),
+      snippets(reply),
+    ],
+  );
+  place.replaceChildren(protocol.place);
+  void protocol.ask().then(() => place.scrollIntoView({ block: "nearest" }));
+}
+
+/** A button that opens the protocol of the records of one visit. */
+function opens(store: string, visit: Visit[], place: HTMLElement): HTMLButtonElement {
+  const records = [...visit].sort((one, other) => one.axle.localeCompare(other.axle)),
+    numbers = records.map((one) => one.number),
+    button = make(
+      "button",
+      { type: "button", "aria-label": `protocol of record ${numbers.join(", ")}` },
+      tr("protocol"),
+    );
+  button.addEventListener("click", () => reopened(store, numbers, place));
+  return button;
+}
+
+/** A stored record of one axle. */
+interface Visit {
+  number: number;
+  date: string;
+  axle: string;
+}
+/** The records of a test: this one, and that of the other axle of the same plate and day if there is just one. */
+function visitOf(own: Stored, records: Stored[]): Visit[] {
+  const others = records.filter(
+    (one) =>
+      own.plate &&
+      own.axle &&
+      own.date &&
+      one.axle &&
+      one.axle !== own.axle &&
+      one.plate === own.plate &&
+      one.date === own.date,
+  );
+  return others.length === 1 ? [own, others[0]!] : [own];
 }
 
 /** Verdicts first, then the values of each wheel, and the reasons. */
@@ -447,12 +505,14 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
             plate: string;
             vehicle: string;
             trends: Trend[];
+            wheels: { record: number; date: string; axle: string }[];
           }>(
             "Again",
             () => ({ kind: "history", store: asked.store, plate: one.plate }),
             (found) => [
               make("h3", {}, `History of ${found.result.plate}`),
               ...trends(found.result.trends),
+              visits(asked.store, found.result.wheels, history),
               report(found.report, "Every visit"),
               snippets(found),
             ],
@@ -466,13 +526,14 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
             (text) => text || "–",
           ),
           one.verdict ? mark(one.verdict) : "–",
+          make("span", { class: "bar" }, opens(asked.store, visitOf(one, records), history)),
           one.plate ? button : "",
         ];
       });
       return [
         table(
           "records",
-          ["record", "date", "plate", "vehicle", "axle", "tester", "file", "verdict", ""],
+          ["record", "date", "plate", "vehicle", "axle", "tester", "file", "verdict", "", ""],
           rows,
           [],
           `${records.length} record${records.length === 1 ? "" : "s"}`,
@@ -497,6 +558,27 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
     ),
     question.place,
     history,
+  );
+}
+
+/** The protocols of a vehicle, one of each record. */
+function visits(
+  store: string,
+  wheels: { record: number; date: string; axle: string }[],
+  place: HTMLElement,
+): HTMLElement {
+  const records = new Map(wheels.map((one) => [one.record, one]));
+  return make(
+    "ul",
+    {},
+    ...[...records.values()].map(({ record, date, axle }) =>
+      make(
+        "li",
+        { class: "bar" },
+        [date, axle && tr(axle)].filter(Boolean).join(", ") || "–",
+        opens(store, [{ number: record, date, axle }], place),
+      ),
+    ),
   );
 }
 
