@@ -111,6 +111,7 @@ export class Multiples {
       const one = this.plots[k]!;
       one.lines = pane.curves.map(({ role, label, y }) => ({ role, label, y: store.get(y) }));
       one.band = bands.find((band) => band.quantity === pane.name) ?? null;
+      one.box.classList.toggle("wanted", one.band !== null);
     });
     this.order();
     if (!this.width) this.sized();
