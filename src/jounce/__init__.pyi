@@ -26,6 +26,7 @@ from .campaign import CampaignResult as CampaignResult
 from .campaign import campaign_from_folder as campaign_from_folder
 from .campaign import load_truth as load_truth
 from .campaign import new_campaign as new_campaign
+from .campaign import preview_files as preview_files
 from .campaign import run_campaign as run_campaign
 from .campaign.bench_fits import fit_measured_damper as fit_measured_damper
 from .campaign.bench_fits import fit_measured_decays as fit_measured_decays
@@ -181,6 +182,8 @@ from .parts.importers import import_chrono as import_chrono
 from .parts.importers import import_hardpoints as import_hardpoints
 from .parts.importers import import_mjcf as import_mjcf
 from .parts.importers import read_chrono_corner as read_chrono_corner
+from .parts.importers import read_pasted_curve as read_pasted_curve
+from .parts.importers import read_pasted_points as read_pasted_points
 from .parts.importers import read_tir as read_tir
 from .parts.importers import tyre_from_tir as tyre_from_tir
 from .parts.testers import Tester as Tester

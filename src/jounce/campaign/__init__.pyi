@@ -1,5 +1,7 @@
 """Public names of campaigns, each loaded on first use."""
 
+from .arrivals import FilePreviews as FilePreviews
+from .arrivals import preview_files as preview_files
 from .description import Campaign as Campaign
 from .description import load_campaign as load_campaign
 from .from_folder import FolderCampaign as FolderCampaign

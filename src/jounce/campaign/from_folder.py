@@ -7,7 +7,7 @@ import os
 import re
 import tomllib
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
@@ -437,7 +437,7 @@ class _Maker:
         }
         for row in self.rows.values():
             if row.pitch is not None:
-                roads[_road(row)] = {
+                roads[road_of(row)] = {
                     "kind": "train",
                     "of": "A",
                     "count": row.count,
@@ -448,7 +448,7 @@ class _Maker:
     # trials -----------------------------------------------------------------------------------------------------------
 
     def _trials(self) -> Iterator[dict[str, Any]]:
-        fitted = self._trials_to_fit()
+        fitted = trials_to_fit(list(self.rows.values()))
         records = self._records()
         for number, row in self.rows.items():
             item = records.get(number)
@@ -475,7 +475,7 @@ class _Maker:
             else:
                 table["tyre_pressure"] = f"{1e-6 * pressure:g} MPa"
             yield table | {
-                "road": _road(row),
+                "road": road_of(row),
                 "recording": self._relative(item.file),
                 **_clock(item),
                 "use": "fit" if number in fitted else "hold-out",
@@ -508,41 +508,14 @@ class _Maker:
             item.number: item for item in reversed(self._of("trial")) if item.number is not None
         }
 
-    def _trials_to_fit(self) -> set[int]:
-        """Select trials with a single obstacle at the most common setting: the slowest, a medium and the fastest."""
-        single = [row for row in self.rows.values() if row.pitch is None and row.speed is not None]
-        settings = Counter((row.angle, row.pressure) for row in single)
-        if not settings:
-            return {row.number for row in self.rows.values()}
-        usual = settings.most_common(1)[0][0]
-        rows = sorted(
-            (row for row in single if (row.angle, row.pressure) == usual),
-            key=lambda row: row.speed or 0.0,
-        )
-        count = min(_FITTED, len(rows))
-        return {rows[round(k * (len(rows) - 1) / max(count - 1, 1))].number for k in range(count)}
-
     def _updates(self) -> Iterator[dict[str, Any]]:
         sides = ("strut.damper.bump_coefficient", "strut.damper.rebound_coefficient")
-        bounds: dict[str, Any] = dict.fromkeys(sides, _DAMPING_BOUNDS)
-        if self.laboratory.rig:
-            bounds = {"strut.damper.coefficient": "50 %"}
-        usual: dict[str, Any] = {"weights": "normalised", "align": "lag"}
-        tyre_damping = (
-            {} if self.laboratory.rig else {"tyre.damping_coefficient": _TYRE_DAMPING_BOUNDS}
-        )
+        bounds = ("strut.damper.coefficient",) if self.laboratory.rig else sides
         if self.strategies == "default":
-            yield {
-                "name": "stiffness, damping and friction",
-                "free": {
-                    "strut.spring.rate": "20 %",
-                    **bounds,
-                    "tyre.stiffness": "20 %",
-                    "guide.friction.force": ["0 N", "40 N"],
-                    **tyre_damping,
-                },
-                **usual,
-            }
+            names = ("strut.spring.rate", *bounds, "tyre.stiffness", "guide.friction.force")
+            yield usual_update(
+                names if self.laboratory.rig else (*names, "tyre.damping_coefficient")
+            )
             return
         ten = dict.fromkeys(bounds, "10 %")
         yield {"name": "strategy 1", "tyre_law": "polynomial", "method": "bfgs", "align": "lag",
@@ -567,6 +540,26 @@ class _Maker:
         ]
 
 
+def usual_update(names: Collection[str]) -> dict[str, Any]:
+    """Return the update that frees the parameters of spring, damper, tyre and friction among these names."""
+    bounds = {
+        "strut.spring.rate": "20 %",
+        "strut.damper.bump_coefficient": _DAMPING_BOUNDS,
+        "strut.damper.rebound_coefficient": _DAMPING_BOUNDS,
+        "strut.damper.coefficient": "50 %",
+        "tyre.stiffness": "20 %",
+        "guide.friction.force": ["0 N", "40 N"],
+        "guide_friction.force": ["0 N", "40 N"],
+        "tyre.damping_coefficient": _TYRE_DAMPING_BOUNDS,
+    }
+    return {
+        "name": "stiffness, damping and friction",
+        "free": {name: bound for name, bound in bounds.items() if name in names},
+        "weights": "normalised",
+        "align": "lag",
+    }
+
+
 def quarter_car_text(sprung: Any, unsprung: Any, angle: float) -> str:
     """Write the rig file of a quarter car with two masses (with units) and a strut angle (rad); the rest is assumed."""
     document = tomlkit.document()
@@ -587,6 +580,21 @@ def quarter_car_text(sprung: Any, unsprung: Any, angle: float) -> str:
     return tomlkit.dumps(document)
 
 
+def trials_to_fit(rows: Sequence[TrialRow]) -> set[int]:
+    """Select trials with a single obstacle at the most common setting: the slowest, a medium and the fastest."""
+    single = [row for row in rows if row.pitch is None and row.speed is not None]
+    settings = Counter((row.angle, row.pressure) for row in single)
+    if not settings:
+        return {row.number for row in rows}
+    usual = settings.most_common(1)[0][0]
+    alike = sorted(
+        (row for row in single if (row.angle, row.pressure) == usual),
+        key=lambda row: row.speed or 0.0,
+    )
+    count = min(_FITTED, len(alike))
+    return {alike[round(k * (len(alike) - 1) / max(count - 1, 1))].number for k in range(count)}
+
+
 def _tables(rows: Iterator[dict[str, Any]]) -> tomlkit.items.AoT:
     tables = tomlkit.aot()
     for row in rows:
@@ -601,5 +609,6 @@ def _clock(item: RecognisedFile) -> dict[str, Any]:
     return {"columns": {"time": item.time}} if item.time else {}
 
 
-def _road(row: TrialRow) -> str:
+def road_of(row: TrialRow) -> str:
+    """Name the road of a trial: ``A``, or ``B`` with the pitch of its obstacles in m."""
     return "A" if row.pitch is None else f"B {row.pitch:g}"

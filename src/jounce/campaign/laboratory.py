@@ -182,7 +182,28 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     [(1, 1.95, 1, None), (2, 2.86, 1, None), (4, 1.97, 5, 0.1)]
     """
     file = Path(path)
-    rows, head = _table_of(file)
+    return _trials_in(_cells(file), str(file))
+
+
+def read_trial_text(text: str, where: str = "table") -> list[TrialRow]:
+    r"""Read a table of trials copied from a spreadsheet; separators, headings and units are as in `read_trials`.
+
+    Raises
+    ------
+    RecordingError
+        As `read_trials`; the message names the line of the text.
+
+    Examples
+    --------
+    >>> rows = read_trial_text("Versuch\tv [km/h]\tDruck [bar]\n1\t7,2\t3,1\n2\t10,8\t\n")
+    >>> [(row.number, round(row.speed, 6), round(row.pressure)) for row in rows]
+    [(1, 2.0, 310000), (2, 3.0, 310000)]
+    """
+    return _trials_in(_cells_of(text), where)
+
+
+def _trials_in(rows: list[list[str]], file: str) -> list[TrialRow]:
+    head = _heading_row(rows, file)
     places = _headings_in(rows[head])
     if head + 1 < len(rows) and _are_units(rows[head + 1], places):
         head += 1
@@ -211,7 +232,7 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     numbers = [trial.number for trial in trials]
     twice = sorted({number for number in numbers if numbers.count(number) > 1})
     if twice:
-        raise RecordingError("a trial is listed twice", where=str(file), found=twice[0])
+        raise RecordingError("a trial is listed twice", where=file, found=twice[0])
     return trials
 
 
@@ -234,19 +255,23 @@ def is_table_of_trials(path: Path | str) -> bool:
 def _table_of(file: Path) -> tuple[list[list[str]], int]:
     """Return the cells of a table of trials, and the index of its heading row."""
     rows = _cells(file)
+    return rows, _heading_row(rows, str(file))
+
+
+def _heading_row(rows: list[list[str]], where: str) -> int:
     head = next(
         (i for i, row in enumerate(rows) if {"number", "speed"} <= _headings_in(row).keys()), None
     )
     if head is None:
         raise RecordingError(
             "no table of trials: columns for the number and the speed are not named",
-            where=str(file),
+            where=where,
             found=", ".join(cell for cell in max(rows, key=_count_cells) if cell)
             if rows
             else "nothing",
             allowed="trial, speed [m/s], angle [deg], pressure [MPa], profile, pitch [m]",
         )
-    return rows, head
+    return head
 
 
 def _count_cells(row: Sequence[str]) -> int:
@@ -266,11 +291,20 @@ def _cells(file: Path) -> list[list[str]]:
                 for row in sheet.iter_rows(values_only=True)
             ]
     else:
-        text = text_of(file)
-        separator = max(
-            ";\t,", key=lambda mark: max(line.count(mark) for line in text.splitlines() or [""])
-        )
-        cells = list(csv.reader(io.StringIO(text), delimiter=separator))
+        return _cells_of(text_of(file))
+    return _with_points(cells)
+
+
+def _cells_of(text: str) -> list[list[str]]:
+    """Split a text at tabs or semicolons if most of its lines have them, else at commas."""
+    lines = [line for line in text.splitlines() if line.strip()]
+    separator = next(
+        (mark for mark in ";\t" if 2 * sum(mark in line for line in lines) > len(lines)), ","
+    )
+    return _with_points(list(csv.reader(io.StringIO(text), delimiter=separator)))
+
+
+def _with_points(cells: list[list[str]]) -> list[list[str]]:
     return [[re.sub(r"(?<=\d),(?=\d)", ".", cell) for cell in row] for row in cells]
 
 

@@ -6,7 +6,7 @@ Files are recognised by their columns, units and signal shapes; file names provi
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
@@ -14,14 +14,16 @@ from typing import Literal
 import numpy as np
 
 from jounce.campaign.laboratory import Laboratory, is_table_of_trials, read_trials, without_accents
-from jounce.core.columns import Column, ColumnTable, names_time, text_of
+from jounce.core.columns import Column, ColumnTable, name_and_unit, names_time, text_of
 from jounce.core.errors import JounceError, RecordingError
+from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, is_unit_of
 from jounce.recordings.pulses import FEWEST_PULSES, edges
 from jounce.recordings.reader import ReaderOptions
 from jounce.recordings.readers import READERS, read_signals
+from jounce.recordings.schema import place_of
 
 Kind = Literal[
     "spring", "tyre", "decay", "trial", "calibration", "table of trials", "settings", "unknown"
@@ -33,6 +35,7 @@ _STIFF = 60e3
 _WORDS: dict[Kind, tuple[str, ...]] = {
     "spring": ("spring", "mola", "feder", "resorte", "muelle", "molla", "ressort", "sprezyn"),
     "tyre": ("tyre", "tire", "pneu", "reifen", "neumatico", "gomma", "opon"),
+    "decay": ("decay", "decai", "free", "ausschwing", "amortigua", "smorza", "gasn"),
 }
 _WEIGHTS = {"kg": "kgf", "lb": "lbf", "lbs": "lbf"}
 """Units of mass that denote forces in a test with weights or scales."""
@@ -122,34 +125,67 @@ def recognise(folder: Path | str, settings: Laboratory | None = None) -> list[Re
     if not files:
         raise RecordingError("the folder is empty", where=str(place))
     items = [recognise_file(file, settings) for file in files]
-    return _number_trials(
+    return number_trials(
         items, _numbers_of([item.file for item in items if item.kind == "table of trials"])
     )
 
 
 def recognise_file(file: Path, settings: Laboratory | None = None) -> RecognisedFile:
     """Recognise the kind of one file; see :func:`recognise`."""
+    return recognise_columns(file, settings)[0]
+
+
+def recognise_columns(
+    file: Path, settings: Laboratory | None = None, columns: Mapping[str, str] | None = None
+) -> tuple[RecognisedFile, ColumnTable | None]:
+    """Recognise one file, and return its columns if it is a measurement.
+
+    ``columns`` are names and units that its headings lack: ``{"displacement": "s [mm]"}``.
+    """
+    known = _recognise_description(file)
+    if known is not None:
+        return known, None
+    try:
+        table = read_signals(file, ReaderOptions()).columns
+    except JounceError as error:
+        return RecognisedFile(file, "unknown", error.message()), None
+    return _of_columns(file, _with_names(table, columns or {}), settings), table
+
+
+def _with_names(table: ColumnTable, columns: Mapping[str, str]) -> ColumnTable:
+    """Return the columns under given names and with given units."""
+    given = {}
+    for name, spec in columns.items():
+        label, unit = name_and_unit(spec)
+        for column in table:
+            if spec in (column.label, column.written) or label in (column.name, column.label):
+                given[id(column)] = replace(column, name=name, unit=unit or column.unit)
+    return replace(table, columns=tuple(given.get(id(column), column) for column in table))
+
+
+def _recognise_description(file: Path) -> RecognisedFile | None:
+    """Recognise a file that is no measurement, or has no reader."""
     if file.suffix == ".toml":
         text = file.read_text(encoding="utf-8", errors="replace")
         is_settings = "jounce.laboratory/" in text
         return RecognisedFile(
             file,
             "settings" if is_settings else "unknown",
-            "its schema" if is_settings else "a TOML file",
+            Phrase("its schema") if is_settings else Phrase("a TOML file"),
         )
     if not any(file.suffix.lower() in reader.suffixes for reader in READERS):
         return RecognisedFile(
-            file, "unknown", f"no reader for {file.suffix or 'files without a suffix'}"
+            file,
+            "unknown",
+            Phrase("no reader for {suffix}", suffix=file.suffix)
+            if file.suffix
+            else Phrase("no reader for files without a suffix"),
         )
     if _is_table(file):
         return RecognisedFile(
-            file, "table of trials", "columns for the number and the speed of trials"
+            file, "table of trials", Phrase("columns for the number and the speed of trials")
         )
-    try:
-        table = read_signals(file, ReaderOptions()).columns
-    except JounceError as error:
-        return RecognisedFile(file, "unknown", error.message())
-    return _of_columns(file, table, settings)
+    return None
 
 
 def _is_table(file: Path) -> bool:
@@ -182,7 +218,7 @@ def _of_columns(file: Path, table: ColumnTable, settings: Laboratory | None) -> 
         return RecognisedFile(file, "unknown", _no_time(table, rows))
     signals = [column for column in table if column is not time and column.fault is None]
     if not signals:
-        return RecognisedFile(file, "unknown", "time, and no other column of numbers")
+        return RecognisedFile(file, "unknown", Phrase("time, and no other column of numbers"))
     rate = (
         (len(seconds) - 1) / float(seconds[-1] - seconds[0]) if seconds[-1] > seconds[0] else None
     )
@@ -249,10 +285,17 @@ def _step_in_header(file: Path) -> float | None:
 
 
 def _no_time(table: ColumnTable, rows: int) -> str:
-    columns = f"columns {', '.join(column.label for column in table)}: no time"
+    columns = ", ".join(column.label for column in table)
     if rows <= _FEW_ROWS:
-        return f"{columns}, and no displacement and force; write units in the headings, as in displacement [mm]"
-    return f"{columns}; name a column time [s], or give sample_time in the settings"
+        return Phrase(
+            "columns {columns}: no time, and no displacement and force; write units in the headings, as in "
+            "displacement [mm]",
+            columns=columns,
+        )
+    return Phrase(
+        "columns {columns}: no time; name a column time [s], or give sample_time in the settings",
+        columns=columns,
+    )
 
 
 def _of_signals(
@@ -261,7 +304,9 @@ def _of_signals(
     """Distinguish trials from free decays by the shape of their signals over time (s)."""
     pulses = [column for column in signals if _has_pulses(seconds, column.values)]
     moving = [column for column in signals if column not in pulses]
-    if moving and all(_falls(column.values) for column in moving):
+    is_driven = any(place_of(column.name).startswith("unsprung") for column in moving)
+    may_decay = _by_name(file.stem) == "decay" or not is_driven  # a wheel is measured in trials
+    if moving and may_decay and all(_falls(column.values) for column in moving):
         why = f"{', '.join(column.label for column in moving)} swings and falls"
         channel = _measured_channel(moving[0].name, settings)
         known = {} if channel is None or channel == moving[0].name else {channel: moving[0].label}
@@ -292,6 +337,7 @@ def _force_deflection(file: Path, length: Column, force: Column) -> RecognisedFi
     if force.name != "force" or weight:
         columns["force"] = f"{_original_heading(force)} [{weight}]" if weight else force.label
     named = _by_name(file.stem)
+    named = None if named == "decay" else named
     by_rate: Kind = "tyre" if abs(rate) > _STIFF else "spring"
     pressure = _pressure(file.stem)
     kind = named or ("tyre" if pressure is not None and by_rate == "tyre" else by_rate)
@@ -381,7 +427,7 @@ def _numbers_of(tables: list[Path]) -> set[int]:
         return set()
 
 
-def _number_trials(files: list[RecognisedFile], known: Collection[int]) -> list[RecognisedFile]:
+def number_trials(files: list[RecognisedFile], known: Collection[int]) -> list[RecognisedFile]:
     """Extract trial numbers from file names, at the position with most numbers of the table, or most distinct numbers.
 
     Positions are counted from either end of a name; in case of a tie the last position is used.

@@ -16,6 +16,7 @@ from pydantic import BeforeValidator, Field
 
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
+from jounce.core.findings import with_german
 from jounce.core.phrases import Phrase
 from jounce.core.remembered import Recent
 from jounce.operations.index import operations
@@ -203,6 +204,37 @@ def simulate_changes(
             curve_viewer({"": spectra_of(runs)}, list(channels or []) or None), equivalents
         )
     return CurvesAnswer(_curves(runs, channels, rigs, on, numbers), equivalents)
+
+
+def pasted_points(
+    project: Project, rig: str, text: str | None, changes: Changes, table: str, **given: Any
+) -> dict[str, Any]:
+    """Return the hardpoints of a pasted table beside those of a rig with its unsaved changes."""
+    from jounce.parts.corners import Corner
+    from jounce.parts.importers.pasted import read_pasted_points
+
+    corner: Any = next(iter(variants(project, rig, changes, text).values()))
+    if not isinstance(corner, Corner):
+        raise DescriptionError("no corner with hardpoints", where=rig)
+    known = {name: value for name, value in given.items() if value}
+    answer: dict[str, Any] = with_german(read_pasted_points(corner, table, **known).to_dict())
+    return answer
+
+
+def pasted_curve(
+    table: str, over: Any, before: tuple[Sequence[Any], Sequence[Any]], **given: Any
+) -> dict[str, Any]:
+    """Return a pasted curve in SI beside the present one, whose values are as written; empty if it is not valid."""
+    from jounce.core.units import to_si
+    from jounce.parts.importers.curves import read_pasted_curve
+
+    found = read_pasted_curve(table, over, **given).to_dict()
+    units = ("m" if over == "deflection" else "m/s", "N")
+    try:
+        was = [[to_si(value, si) for value in part] for part, si in zip(before, units, strict=True)]
+    except JounceError:
+        was = [[], []]
+    return found | {"before": was}
 
 
 _DONE: OrderedDict[str, tuple[xr.Dataset, int]] = (

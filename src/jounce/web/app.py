@@ -101,6 +101,28 @@ class Changed(_Asked):
     channels: list[str] = Field(default_factory=list, max_length=60)
 
 
+class PastedTable(Changed):
+    """A table of hardpoints as copied from a spreadsheet, and what it does not state."""
+
+    table: str = Field(max_length=200_000)
+    unit: str = ""
+    axes: str = ""
+    side: Literal["left", "right"] = "left"
+    axle: Literal["", "front", "rear"] = ""
+    names: dict[str, str] = Field(default_factory=dict, max_length=200)
+
+
+class PastedForce(_Asked):
+    """A table of a force over deflection or velocity copied from a spreadsheet, and the present values as written."""
+
+    table: str = Field(max_length=200_000)
+    over: Literal["deflection", "velocity"]
+    over_unit: str = ""
+    force_unit: str = ""
+    turned: Literal["", "over", "force", "both"] = ""
+    before: tuple[list[Any], list[Any]] = ([], [])
+
+
 class RunRequest(Changed):
     """A run over an obstacle: the table of a road file, a speed and a duration with their units.
 
@@ -300,6 +322,16 @@ def create_app(
     def form(asked: Edited) -> forms.Form:
         """Return a rig's text as a form: values, problems, and differences from the saved file."""
         return forms.form_of(project, asked.path, asked.text, asked.sets, asked.changes)
+
+    @app.post("/api/points")
+    def points(asked: PastedTable) -> dict[str, Any]:
+        """Return the hardpoints of a pasted table beside those of a rig; nothing is written."""
+        return answers.pasted_points(project, **asked.model_dump(exclude={"channels"}))
+
+    @app.post("/api/curve")
+    def curve(asked: PastedForce) -> dict[str, Any]:
+        """Return a pasted curve in SI beside the present one; nothing is written."""
+        return answers.pasted_curve(**asked.model_dump())
 
     @app.get("/api/record")
     def record(path: str) -> dict[str, Any]:

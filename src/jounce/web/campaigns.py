@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+import os
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import tomlkit
+from pydantic import BaseModel, ConfigDict
 
-from jounce.core.errors import DescriptionError
+from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import only_below
-from jounce.web.project import Project
+from jounce.core.units import to_si
+from jounce.web.project import Project, Text
+
+if TYPE_CHECKING:
+    from jounce.campaign.laboratory import TrialRow
 
 _READ = ("columns", "variable", "sample_time", "stroke_positive", "force_positive")
 """Keys that define how all files of a table are read."""
@@ -58,17 +65,171 @@ def title_of(project: Project, path: str) -> str:
     return title if isinstance(title, str) and title else path
 
 
+class NewCampaign(BaseModel):
+    """A campaign to be written: its rig, its obstacle, and the trains of that obstacle by name."""
+
+    model_config = ConfigDict(extra="forbid")
+    rig: str
+    title: str = "Bench campaign"
+    obstacle: dict[str, str]
+    roads: dict[str, dict[str, Any]] = {}
+
+
+class FileEntry(BaseModel):
+    """A measured file for a campaign: its role, the keys of its table, and the state of the file that was shown."""
+
+    model_config = ConfigDict(extra="forbid")
+    use: Use
+    fields: dict[str, Any]
+    file: str = ""
+    state: str = ""
+
+
 def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any]) -> dict[str, Any]:
     """Add a measured file to a campaign, as a bench table or a new trial. Comments of the file are kept.
 
     The change is not written if it would make the campaign invalid.
     """
+    was = project.read(path)
+    text = _checked(project, path, was.text, FileEntry(use=use, fields=dict(fields)))
+    return _written(project, path, text, was)
+
+
+def enter_files(
+    project: Project, path: str, entries: Sequence[FileEntry], new: NewCampaign | None = None
+) -> dict[str, Any]:
+    """Add measured files to a campaign, or to a new one; a file that does not fit does not stop the others.
+
+    Returns the written text as `enter_file` does, the ``entered`` files, and the ``refused`` ones with the reason.
+    Without ``use``, trials that cover the range of speeds are fitted, if the campaign fits none yet.
+    """
+    was = Text(path, _filled(project, path, new), "") if new else project.read(path)
+    if new and project.inside(path).exists():
+        raise OutputError("the file already exists", where=path, hint="Choose another name.")
+    text, entered, refused = was.text, list[str](), list[dict[str, Any]]()
+    ordered = sorted(entries, key=lambda entry: entry.use != "trial")  # a campaign needs one
+    at_once = _all_checked(project, path, text, ordered)
+    for entry in ordered:
+        try:
+            if at_once is None:
+                _check_state(project, entry)
+                text = _checked(project, path, text, entry)
+            entered.append(entry.file)
+        except JounceError as error:
+            message = error.message()
+            refused.append({"file": entry.file, "message": message, "german": message.german()})
+    if not entered:
+        return {"path": path, "entered": [], "refused": refused}
+    text = _with_fitted(text if at_once is None else at_once)
+    return _written(project, path, text, was) | {"entered": entered, "refused": refused}
+
+
+def pasted_trials(project: Project, path: str, table: str, was: str = "") -> dict[str, Any]:
+    """Return what a table of trials changes in the trials of a campaign with the same numbers.
+
+    With the digest of the campaign that was shown (``was``), the changes are written.
+    """
+    from jounce.campaign.description import Campaign
+    from jounce.campaign.laboratory import read_trial_text
+    from jounce.core.description import toml_table
+
+    read = project.read(path)
+    document: Any = tomlkit.parse(read.text)
+    trials = {int(trial["number"]): trial for trial in document.get("trial", [])}
+    rows = read_trial_text(table)
+    changes: list[dict[str, Any]] = [
+        {"number": row.number, "key": key, "before": str(trial.get(key, "")), "after": value}
+        for row in rows
+        if (trial := trials.get(row.number)) is not None
+        for key, value in _new_fields(trial, row, document).items()
+    ]
+    for change in changes:
+        trials[change["number"]][change["key"]] = change["after"]
+    text = tomlkit.dumps(document)
+    with only_below(project.root):
+        Campaign.from_table(toml_table(text), where=path, text=text)
+    answer = {
+        "changes": changes,
+        "absent": [row.number for row in rows if row.number not in trials],
+        "unlisted": sorted(set(trials) - {row.number for row in rows}),
+        "digest": read.digest,
+    }
+    if not was or not changes:
+        return answer
+    written = project.write(path, text, was)
+    return answer | {"path": path, "digest": written.digest, "before": read.text}
+
+
+def _new_fields(trial: Mapping[str, Any], row: TrialRow, document: Any) -> dict[str, str]:
+    """Return the keys of a trial that differ from its row in the table; a missing train of obstacles is added."""
+    from jounce.campaign.arrivals import fields_of
+    from jounce.campaign.from_folder import road_of
+
+    fields = {
+        key: value
+        for key, value in fields_of(row).items()
+        if not _is_same(trial.get(key), value, _UNITS[key])
+    }
+    roads = document.get("roads", {})
+    present = roads.get(trial.get("road"), {})
+    if row.pitch is not None and not _is_train(present, row):
+        known = next((name for name, road in roads.items() if _is_train(road, row)), None)
+        if known is None and "A" in roads:
+            known = road_of(row)
+            roads[known] = _item(
+                {"kind": "train", "of": "A", "count": row.count, "pitch": f"{row.pitch:g} m"}
+            )
+        if known is not None:
+            fields["road"] = known
+    elif row.pitch is None and present.get("kind") == "train" and "A" in roads:
+        fields["road"] = "A"
+    return fields
+
+
+_UNITS = {"speed": "m/s", "tyre_pressure": "Pa", "strut_angle": "rad"}
+
+
+def _is_same(before: Any, after: str, si: str) -> bool:
+    try:
+        return math.isclose(to_si(before, si), to_si(after, si), rel_tol=1e-9)
+    except JounceError:
+        return False
+
+
+def _is_train(road: Mapping[str, Any], row: TrialRow) -> bool:
+    return (
+        road.get("kind") == "train"
+        and road.get("count") == row.count
+        and _is_same(road.get("pitch"), f"{row.pitch:g} m", "m")
+    )
+
+
+def _written(project: Project, path: str, text: str, was: Text) -> dict[str, Any]:
+    written = project.write(path, text, was.digest)
+    before = was.text if was.digest else ""
+    return {"path": path, "text": written.text, "digest": written.digest, "before": before}
+
+
+def _all_checked(
+    project: Project, path: str, text: str, entries: Sequence[FileEntry]
+) -> str | None:
+    """Return the text with all files; ``None`` if any of them does not fit."""
+    try:
+        for entry in entries:
+            _check_state(project, entry)
+        return _checked(project, path, text, *entries)
+    except JounceError:
+        return None
+
+
+def _checked(project: Project, path: str, text: str, *entries: FileEntry) -> str:
+    """Return the text with more files, if that is a valid campaign."""
     from jounce.campaign.description import Campaign
     from jounce.core.description import toml_table
 
-    was = project.read(path)
     try:
-        text = _with_file(project, path, was.text, use, fields)
+        for entry in entries:
+            text = _with_file(project, path, text, entry.use, entry.fields)
         with only_below(project.root):
             Campaign.from_table(toml_table(text), where=path, text=text)
     except (
@@ -82,8 +243,57 @@ def enter_file(project: Project, path: str, use: Use, fields: Mapping[str, Any])
         raise DescriptionError(
             "this cannot be added to the campaign", where=path, found=cause
         ) from None
-    written = project.write(path, text, was.digest)
-    return {"path": path, "text": written.text, "digest": written.digest, "before": was.text}
+    return text
+
+
+def _filled(project: Project, path: str, new: NewCampaign) -> str:
+    """Return the text of a new campaign without files."""
+    from jounce.campaign.start import campaign_to_fill
+    from jounce.web.answers import rig_of
+
+    rig: Any = rig_of(project, new.rig)
+    file = project.inside(path)
+    name = new.rig
+    if name.endswith(".toml"):
+        name = Path(os.path.relpath(project.inside(name), file.parent)).as_posix()
+    return campaign_to_fill(rig, name, new.obstacle, new.roads, new.title)
+
+
+def _check_state(project: Project, entry: FileEntry) -> None:
+    """Refuse a file that is no longer the one that was shown."""
+    from jounce.campaign.arrivals import file_state
+
+    if entry.state and entry.state != file_state(project.inside(entry.file)):
+        raise DescriptionError(
+            "the file has changed since it was shown", where=entry.file, hint="Look at it again."
+        )
+
+
+def _with_fitted(text: str) -> str:
+    """Return a campaign in which some trials are fitted: as it says, else those that cover the range of speeds."""
+    from jounce.campaign.from_folder import trials_to_fit
+    from jounce.campaign.laboratory import TrialRow
+
+    document: Any = tomlkit.parse(text)
+    trials, roads = document.get("trial", []), document.get("roads", {})
+    if any(trial.get("use") for trial in trials):
+        return text
+    rows = [
+        TrialRow.model_validate(
+            {
+                "number": int(trial["number"]),
+                "speed": trial.get("speed"),
+                "angle": trial.get("strut_angle"),
+                "pressure": trial.get("tyre_pressure"),
+                "pitch": 1.0 if roads.get(trial.get("road"), {}).get("kind") == "train" else None,
+            }
+        )
+        for trial in trials
+    ]
+    fitted = trials_to_fit(rows)
+    for trial in trials:
+        trial["use"] = "fit" if int(trial["number"]) in fitted else "hold-out"
+    return tomlkit.dumps(document)
 
 
 def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping[str, Any]) -> str:
@@ -142,18 +352,12 @@ def _item(value: Any) -> Any:
 
 
 def _relative(project: Project, campaign: Path, value: Any) -> Any:
-    """Return file names of the project relative to the campaign in the same folder."""
+    """Return file names of the project relative to the campaign's folder."""
     if isinstance(value, list):
         return [_relative(project, campaign, item) for item in value]
     if isinstance(value, Mapping):
         return {**value, "file": _relative(project, campaign, value["file"])}
-    file = project.inside(str(value))
-    if not file.is_relative_to(campaign.parent):
-        hint = "Upload or copy the file to that folder."
-        raise DescriptionError(
-            "the file is not in the campaign's folder", where=str(value), hint=hint
-        )
-    return file.relative_to(campaign.parent).as_posix()
+    return Path(os.path.relpath(project.inside(str(value)), campaign.parent)).as_posix()
 
 
 def _matching_files(project: Project, folder: Path, patterns: list[str]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -17,6 +18,8 @@ from jounce.core.commands import command_line
 from jounce.core.description import join_path, toml_error, toml_table
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import only_below
+from jounce.core.phrases import Phrase
+from jounce.core.usual_units import usual_unit
 from jounce.web.answers import changed_by, describe_rig, rig_in, word
 from jounce.web.project import Project
 
@@ -41,8 +44,8 @@ class Form:
     """A rig's text with its parsed content.
 
     ``values`` are the values as typed, ``rig`` the parameters by path if the text is valid, ``changed`` the lines
-    that differ from the saved file, ``python`` code for the same edit or view, ``command`` a command that shows the
-    saved file.
+    that differ from the saved file, ``notes`` the units in which bare numbers were read, ``python`` code for the same
+    edit or view, ``command`` a command that shows the saved file.
     """
 
     text: str
@@ -51,6 +54,7 @@ class Form:
     problems: tuple[FormProblem, ...] = ()
     rig: dict[str, Any] | None = None
     changed: tuple[str, ...] = field(default=())
+    notes: tuple[FormProblem, ...] = ()
     python: str = ""
     command: str = ""
 
@@ -82,9 +86,10 @@ def form_of(
     with units) to paths.
     """
     file = project.inside(path)
+    notes: list[FormProblem] = []
     try:
         for keys, value in sets:
-            text = _with_value(text, keys, value)
+            text = _with_value(text, keys, _with_unit(text, keys, value, notes))
         values = toml_table(text)
     except tomllib.TOMLDecodeError as error:
         return Form(text, {}, "", _problems(toml_error(error, ""), {}))
@@ -101,10 +106,57 @@ def form_of(
                 values, rig = toml_table(text), rig_in(project, path, text)
             numbers, python = describe_rig(rig, path), _python(project, path, saved, rig)
     except JounceError as error:
-        return Form(text, values, model, _problems(error, values), None, _differing(saved, text))
+        problems, differing = _problems(error, values), _differing(saved, text)
+        return Form(text, values, model, problems, None, differing, tuple(notes))
     is_saved = text == saved.replace("\r\n", "\n")  # a command can only read the saved file
     command = command_line(["jounce", "check", word(path)]) if is_saved else ""
-    return Form(text, values, model, (), numbers, _differing(saved, text), python, command)
+    differing = _differing(saved, text)
+    return Form(text, values, model, (), numbers, differing, tuple(notes), python, command)
+
+
+def _with_unit(text: str, keys: Sequence[Key], value: Any, notes: list[FormProblem]) -> Any:
+    """Return a bare number with the usual unit of its file, and note it; other values are unchanged."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return value
+    values = toml_table(text)
+    try:
+        si = _si_at(schema(str(values.get("model", ""))), keys)
+    except JounceError:
+        return value
+    unit = usual_unit(values, keys, float(value), si) if si and si != "1" else ""
+    if not unit or value == 0:
+        return value
+    note = Phrase("{number:.10g} is read as {number:.10g} {unit}; write a unit to mean another.",
+                  number=value, unit=unit)  # fmt: skip
+    notes.append(FormProblem(join_path(tuple(keys)), 0, note, note.german()))
+    return f"{value:.10g} {unit}"
+
+
+_SI = re.compile(r"bare number in (\S+)")
+
+
+def _si_at(model: Mapping[str, Any], keys: Sequence[Key]) -> str:
+    """Return the SI unit of the value at some keys of a schema; empty if it has none."""
+    choices: list[Any] = [model]
+
+    def resolved(part: Mapping[str, Any]) -> list[Any]:
+        if "$ref" in part:
+            return resolved(model["$defs"][part["$ref"].rpartition("/")[2]])
+        inner = [*part.get("anyOf", []), *part.get("oneOf", [])]
+        return [part, *(choice for one in inner for choice in resolved(one))]
+
+    for key in keys:
+        parts = [part for choice in choices for part in resolved(choice)]
+        if isinstance(key, int):
+            fixed = [part.get("prefixItems", [])[key : key + 1] for part in parts]
+            choices = [item for items in fixed for item in items]
+            choices += [part["items"] for part in parts if isinstance(part.get("items"), dict)]
+        else:
+            choices = [
+                part["properties"][key] for part in parts if key in part.get("properties", {})
+            ]
+    said = [_SI.search(part.get("description", "")) for c in choices for part in resolved(c)]
+    return next((match[1] for match in said if match is not None), "")
 
 
 def _with_value(text: str, keys: Sequence[Key], value: Any) -> str:

@@ -38,6 +38,8 @@ def answer(question: Mapping[str, Any]) -> int:
             from jounce.web.studies import swept
 
             reply = swept(Project(question["root"]), question["folder"])
+        elif question["kind"] == "preview-files":
+            reply = preview_all(question)
         else:
             reply = preview(question)
         sys.stdout.write(to_json(for_page(to_plain(reply))))
@@ -52,6 +54,15 @@ def answer(question: Mapping[str, Any]) -> int:
         sys.stdout.write(to_json({"error": with_german(plain)}))
         return 2
     return 0
+
+
+def preview_all(asked: Mapping[str, Any]) -> dict[str, Any]:
+    """Return previews of measured files before they enter a campaign."""
+    from jounce.campaign.arrivals import preview_files
+    from jounce.campaign.laboratory import read_trial_text
+
+    rows = read_trial_text(asked["table"]) if asked["table"].strip() else None
+    return preview_files(asked["files"], asked["columns"], rows).to_dict()
 
 
 def preview(asked: Mapping[str, Any]) -> dict[str, Any]:

@@ -333,14 +333,18 @@ class SearchTask(_Task):
 
 
 class NewCampaignTask(_Task):
-    """Write a commented template campaign with synthetic recordings, ready to run."""
+    """Write a commented template campaign with synthetic recordings, or the campaign of a laboratory's folder."""
 
     kind: Literal["new-campaign"]
     out: Text
+    source: Text = ""
+    settings: Text = ""
 
     def _spec(self, project: Project) -> JobSpec:
         out = _folder(project, self.out)
-        request = _request("campaign new", {"folder": out})
+        source = self.source and _folder(project, self.source)
+        settings = self.settings and _file(project, self.settings)
+        request = _request("campaign new", {"folder": out, "source": source, "settings": settings})
         title = f"Campaign to start from in {out}"
         return JobSpec(title, request.words(), python=request.python(), patience=60.0)
 
@@ -454,9 +458,31 @@ class PreviewTask(_Reading):
                      patience=60.0, question=self.model_dump(), command=command)  # fmt: skip
 
 
+class PreviewFilesTask(_Task):
+    """Kind, small curve and missing information of measured files before they enter a campaign.
+
+    ``columns`` are names and units by file; ``table`` is a table of trials as copied from a spreadsheet.
+    """
+
+    kind: Literal["preview-files"]
+    files: Annotated[list[Text], Field(min_length=1, max_length=500)]
+    columns: Annotated[dict[str, dict[str, Text]], Field(max_length=500)] = Field(
+        default_factory=dict
+    )
+    table: Annotated[str, Field(max_length=200_000)] = ""
+
+    def _spec(self, project: Project) -> JobSpec:
+        files = [_file(project, file) for file in self.files]
+        given = f", columns={self.columns!r}" if self.columns else ""
+        python = f"import jounce as jn\n\nprint(jn.preview_files({files!r}{given}))\n"
+        return JobSpec(f"Preview of {len(files)} files", [], python=python, limits=LIMITS,
+                     question=self.model_dump())  # fmt: skip
+
+
 AnyTask = (
     SweepTask | CampaignTask | DesignTask | CompareTask | OverlayTask | ParetoTask | EvaluateTask | HistoryTask
     | ProtocolTask | SearchTask | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
+    | PreviewFilesTask
 )  # fmt: skip
 Asked = Annotated[AnyTask, Field(discriminator="kind")]
 _READ: TypeAdapter[AnyTask] = TypeAdapter(Asked)

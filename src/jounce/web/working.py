@@ -20,9 +20,17 @@ from jounce.core.optional import require
 from jounce.core.writing import temporary_beside
 from jounce.variants.shards import read_kept
 from jounce.web.bodies import Route
-from jounce.web.campaigns import Use, enter_file, overview
+from jounce.web.campaigns import (
+    FileEntry,
+    NewCampaign,
+    Use,
+    enter_file,
+    enter_files,
+    overview,
+    pasted_trials,
+)
 from jounce.web.jobs import Jobs
-from jounce.web.project import RECORDS, Project, unusable
+from jounce.web.project import LONGEST, RECORDS, Project, unusable
 from jounce.web.safety import PROTOCOL
 from jounce.web.studies import write_study
 from jounce.web.tasks import AS_PDF, LIMITS, Asked, EvaluateTask, JobSpec, ProtocolTask, spec_of
@@ -37,7 +45,7 @@ _MOST_PAGES, _LARGEST_PAGE = (
     16,
     250_000_000,
 )  # number of reports of short queries kept; maximum bytes of a page
-_UPLOADED = (*RECORDS, ".crg", ".dbc")
+_UPLOADED = (*RECORDS, ".crg", ".dbc", ".toml")
 _ALONE = (
     "sandbox allow-scripts; default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data: blob:; font-src data:; frame-ancestors 'self'; base-uri 'none'; form-action 'none'"
@@ -64,6 +72,24 @@ class Study(BaseModel):
     metrics: list[str]
     outputs: list[str] | None = None
     control: str | None = None
+
+
+class EnteredFiles(BaseModel):
+    """Measured files for a campaign, or for a new one that is written with them."""
+
+    model_config = ConfigDict(extra="forbid")
+    campaign: str
+    new: NewCampaign | None = None
+    files: Annotated[list[FileEntry], Field(min_length=1, max_length=500)]
+
+
+class PastedTrials(BaseModel):
+    """A table of trials as copied from a spreadsheet; it is written if the digest of the campaign is given."""
+
+    model_config = ConfigDict(extra="forbid")
+    campaign: str
+    table: Annotated[str, Field(max_length=200_000)]
+    was: str = ""
 
 
 class Entered(BaseModel):
@@ -216,6 +242,16 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         """Add a measured file to a campaign, with its reading options."""
         return enter_file(project, asked.campaign, asked.use, asked.fields)
 
+    @router.post("/api/campaign/files")
+    def enter_all(asked: EnteredFiles) -> dict[str, Any]:
+        """Add measured files to a campaign or a new one; return the files that were refused, with the reason."""
+        return enter_files(project, asked.campaign, asked.files, asked.new)
+
+    @router.post("/api/campaign/trials")
+    def paste_trials(asked: PastedTrials) -> dict[str, Any]:
+        """Return what a pasted table of trials changes in a campaign; write it if the digest is given."""
+        return pasted_trials(project, asked.campaign, asked.table, asked.was)
+
     @router.get("/api/choices")
     def choices() -> dict[str, list[str]]:
         """Return shipped names: testers, methods, controllers, roads."""
@@ -238,6 +274,8 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
         if file.suffix.lower() not in _UPLOADED:
             raise OutputError("not a measurement file", where=path, allowed=", ".join(_UPLOADED))
         expected, size = int(request.headers.get("content-length", "0")), 0
+        if file.suffix.lower() == ".toml" and expected > LONGEST:
+            raise OutputError("too long for a description", where=path, found=f"{expected} bytes")
         if file.exists() and file.stat().st_size != expected:
             raise OutputError("the file already exists", where=path, hint="Choose another name.")
         file.parent.mkdir(parents=True, exist_ok=True)

@@ -35,6 +35,7 @@ export interface Form {
   problems: FormProblem[];
   rig: Record<string, unknown> | null;
   changed: string[];
+  notes: FormProblem[];
   python: string;
   command: string;
 }

@@ -179,6 +179,7 @@ export const form = async (
   return {
     ...found,
     problems: found.problems.map((one) => ({ ...one, text: inLanguage(one.text, one.german) })),
+    notes: found.notes.map((one) => ({ ...one, text: inLanguage(one.text, one.german) })),
   };
 };
 export const binary = async (path: string, body: unknown) =>

@@ -3,6 +3,7 @@
 import { make } from "../page";
 import { fromField, tr } from "../words";
 import type { FormProblem } from "./api";
+import { pasteCurve } from "./pasting";
 import { key } from "./quantities";
 
 export type Key = string | number;
@@ -34,13 +35,17 @@ export class Form {
   private readonly open = new Set<string>(["hardpoints", "strut", "sprung", "unsprung", "tyre"]);
   private definitions: Record<string, Schema> = {};
   private problems: FormProblem[] = [];
+  private notes: FormProblem[] = [];
 
   /** The field that is typed into, and what is to be shown once that is done. */
   private typing: EventTarget | null = null;
   private next: (() => void) | null = null;
 
   /** `changed` hears what is to be written at some keys; null takes it away. */
-  constructor(private readonly changed: (keys: Key[], value: Value) => void) {
+  constructor(
+    private readonly changed: (keys: Key[], value: Value) => void,
+    private readonly together: (sets: [Key[], Value][]) => void,
+  ) {
     this.element.addEventListener("input", (event) => {
       this.typing = event.target;
     });
@@ -59,8 +64,16 @@ export class Form {
   }
 
   /** Shows what a text says; nothing is taken from under the hands of somebody who types. */
-  show(schema: Schema, values: { [key: string]: Value }, problems: FormProblem[]): void {
-    this.next = () => this.made(schema, values, problems);
+  show(
+    schema: Schema,
+    values: { [key: string]: Value },
+    problems: FormProblem[],
+    notes: FormProblem[] = [],
+  ): void {
+    this.next = () => {
+      this.notes = notes;
+      this.made(schema, values, problems);
+    };
     this.follow();
   }
 
@@ -200,6 +213,9 @@ export class Form {
           ),
         ]
       : [];
+    const noted = this.notes
+      .filter((one) => one.path === place || one.path.startsWith(`${place}[`))
+      .map((one) => make("span", { class: "noted", role: "status" }, one.text));
     const away = needed
       ? []
       : [
@@ -250,6 +266,7 @@ export class Form {
         ...(kinds.length > 1 ? [make("p", { class: "kind" }, choose)] : []),
         ...said,
         ...rows,
+        ...this.pasting(table, keys),
       );
       return details;
     }
@@ -283,6 +300,7 @@ export class Form {
           ...wrong.map((one) =>
             make("span", { class: "wrong", role: "alert" }, `${one.path}: ${one.text}`),
           ),
+          ...noted,
         );
       }
     }
@@ -324,7 +342,23 @@ export class Form {
       control,
       ...away,
       ...said,
+      ...noted,
     );
+  }
+
+  /** A table of a force over deflection or velocity can be pasted. */
+  private pasting(values: { [key: string]: Value }, keys: Key[]): HTMLElement[] {
+    const over = (["deflection", "velocity"] as const).find((name) => Array.isArray(values[name]));
+    const { force } = values;
+    if (!over || "length" in values || !Array.isArray(force)) return [];
+    return [
+      pasteCurve(over, [values[over], force], (x, y) =>
+        this.together([
+          [[...keys, over], x],
+          [[...keys, "force"], y],
+        ]),
+      ),
+    ];
   }
 
   private typed(

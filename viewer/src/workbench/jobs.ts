@@ -410,19 +410,25 @@ export function report(
   );
 }
 
-/** Uploads files into the project one by one. `coming` is called when files are dropped; the function it returns is called with their paths. */
+/** Uploads files into the project one by one. `coming` is called when files are dropped; the function it returns is called with their paths. `many` takes several files at once, if given. */
 export function dropZone(
   folder: () => string,
   words: string,
   coming: () => (paths: string[]) => void,
+  many?: (files: File[]) => void,
 ): HTMLElement {
   const input = make("input", { type: "file", multiple: true, "aria-label": words });
   const status = make("div", { "aria-live": "polite" }),
     turn = new InTurn((error) => status.append(problem(error)));
   const zone = make("div", { class: "drop" }, make("p", {}, words), input, status);
   const take = (given: FileList | null) => {
-    const files = [...(given ?? [])],
-      into = folder().replace(/\/+$/, ""),
+    const files = [...(given ?? [])];
+    if (many && files.length > 1) {
+      input.value = "";
+      many(files);
+      return;
+    }
+    const into = folder().replace(/\/+$/, ""),
       done = coming(),
       said = make("div", {});
     input.value = "";

@@ -4,6 +4,7 @@ import { leave, make, themeButton } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import { mayLeave } from "./drafts";
+import { listenForDrops } from "./incoming";
 import { languageButton } from "./language";
 import { listenForKeys, searchButton } from "./palette";
 import { problem } from "./parts";
@@ -24,7 +25,10 @@ const PAGES: Record<string, Page> = {
   inspection: { label: "Inspection", load: () => import("./pages/inspection") },
   studies: { label: "Studies", load: () => import("./pages/studies") },
   jobs: { label: "Jobs", load: () => import("./pages/jobs") },
+  files: { label: "New files", load: () => import("./pages/files") },
 };
+/** Pages that the head does not list: they are opened from others. */
+const APART = ["files"];
 
 const UNLOADED =
   "This page could not be loaded: check that jounce serve is running, then reload the page.";
@@ -65,13 +69,11 @@ async function show(): Promise<void> {
 }
 
 document.documentElement.classList.add("live");
-document
-  .getElementById("pages")!
-  .append(
-    ...Object.entries(PAGES).map(([page, { label }]) =>
-      make("a", { href: address(page), "data-page": page }, label),
-    ),
-  );
+document.getElementById("pages")!.append(
+  ...Object.entries(PAGES)
+    .filter(([page]) => !APART.includes(page))
+    .map(([page, { label }]) => make("a", { href: address(page), "data-page": page }, label)),
+);
 document.querySelector("header")!.append(searchButton(LABELS), languageButton(), themeButton());
 listenForKeys(LABELS);
 document.getElementById("pages")!.setAttribute("aria-label", tr("Pages"));
@@ -94,10 +96,7 @@ addEventListener("hashchange", () => {
       document.getElementById("main")!.focus({ preventScroll: true });
   }); // the link that led here is gone
 });
-for (const one of ["dragover", "drop"] as const)
-  addEventListener(one, (event) => {
-    if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
-  }); // a file that misses its place does not take that of the page
+listenForDrops();
 api.project().then(
   ({ name }) => {
     document.getElementById("project")!.textContent = name;

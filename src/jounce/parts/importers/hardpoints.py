@@ -36,16 +36,22 @@ from jounce.parts.importers.points import (
 Side = Literal["left", "right"]
 Axle = Literal["front", "rear"]
 _NAMES = {
-    "lower_arm_front": "lower wishbone front pivot|lca front|chas low for|lower control arm front|lower front inner",
-    "lower_arm_rear": "lower wishbone rear pivot|lca rear|chas low aft|lower control arm rear|lower rear inner",
+    "lower_arm_front": "lower arm front pivot|lower wishbone front|lca fwd|lca fore|lower a arm front|"
+    "lower wishbone front pivot|lca front|chas low for|lower control arm front|lower front inner",
+    "lower_arm_rear": "lower arm rear pivot|lower wishbone rear|lca aft|lower a arm rear|"
+    "lower wishbone rear pivot|lca rear|chas low aft|lower control arm rear|lower rear inner",
     "lower_ball_joint": "lower wishbone outer ball joint|lca outer|upri low pnt|lower outer|lower outer ball joint|"
     "ball joint|ball joint lower|lower arm outer|lower control arm outer|lower control arm ball joint|lbj",
-    "upper_arm_front": "upper wishbone front pivot|uca front|chas upp for|upper control arm front|upper front inner",
-    "upper_arm_rear": "upper wishbone rear pivot|uca rear|chas upp aft|upper control arm rear|upper rear inner",
+    "upper_arm_front": "upper arm front pivot|upper wishbone front|uca fwd|uca fore|upper a arm front|"
+    "upper wishbone front pivot|uca front|chas upp for|upper control arm front|upper front inner",
+    "upper_arm_rear": "upper arm rear pivot|upper wishbone rear|uca aft|upper a arm rear|"
+    "upper wishbone rear pivot|uca rear|chas upp aft|upper control arm rear|upper rear inner",
     "upper_ball_joint": "upper wishbone outer ball joint|uca outer|upri upp pnt|upper outer|upper outer ball joint|"
     "ball joint upper|upper arm outer|upper control arm outer|upper control arm ball joint|ubj",
-    "tie_rod_inner": "inner track rod ball joint|tierod inner|chas tie pnt|tie rod inboard|toe link inner",
-    "tie_rod_outer": "outer track rod ball joint|tierod outer|upri tie pnt|tie rod outboard|toe link outer",
+    "tie_rod_inner": "inner track rod ball joint|tierod inner|chas tie pnt|tie rod inboard|toe link inner|tie rod in|"
+    "tri|track rod inner",
+    "tie_rod_outer": "outer track rod ball joint|tierod outer|upri tie pnt|tie rod outboard|toe link outer|tie rod out|"
+    "tro|track rod outer",
     "wheel_centre": "wheel centre point|wheel center point|wheel center|wc",
     "pushrod_outer": "push rod wishbone end|nsma ppatt pnt|nsma ppatt|pushrod outboard|push rod outer|prod outboard",
     "pushrod_inner": "push rod rocker end|rock rod pnt|pushrod inboard|push rod inner",
@@ -242,11 +248,22 @@ def _read(file: Path) -> PointTable:
         if whole is not None:
             whole.unit = _resolve_unit(whole.unit, str(file)) if whole.unit else ""
             return whole
+    rows = _sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file, _text(file))
+    return _tabulate(table, rows)
+
+
+def table_in(text: str, where: str) -> PointTable:
+    """Read a table of points from a text, such as one copied from a spreadsheet; ``where`` names it in messages."""
+    table = PointTable(Path(where))
+    return _tabulate(table, _lines(table.file, text))
+
+
+def _tabulate(table: PointTable, rows: Iterator[tuple[str, list[str]]]) -> PointTable:
+    """Add rows, each with its place and cells, to a table."""
+    file = table.file
     columns: list[int] = []
     width = 0
-    for count, (where, cells) in enumerate(
-        _sheet(file) if file.suffix.lower() == ".xlsx" else _lines(file)
-    ):
+    for count, (where, cells) in enumerate(rows):
         if count > _ROWS:
             raise DescriptionError(
                 "too many rows", where=str(file), allowed=Phrase("up to {rows}", rows=_ROWS)
@@ -311,8 +328,8 @@ def _text(file: Path) -> str:
     return content.decode("utf-8-sig", errors="replace")
 
 
-def _lines(file: Path) -> Iterator[tuple[str, list[str]]]:
-    for number, line in enumerate(_text(file).splitlines(), 1):
+def _lines(file: Path, text: str) -> Iterator[tuple[str, list[str]]]:
+    for number, line in enumerate(text.splitlines(), 1):
         if len(line) > LONGEST_LINE:
             where, allowed = (
                 at_line(file, number),
@@ -739,7 +756,7 @@ class PointReading:
 
     def turn(self, axes: str | None) -> None:
         """Rotate from table axes to jounce's axes."""
-        turn = np.eye(3) if axes is None else _rotation(axes)
+        turn = np.eye(3) if axes is None else rotation_of(axes)
         self._refuse_one_side(turn[1])
         if axes is not None:
             self._map(turn)
@@ -902,7 +919,7 @@ class PointReading:
         )
 
 
-def _rotation(axes: str) -> Array:
+def rotation_of(axes: str) -> Array:
     """Return the rotation matrix for axes such as ``"-x,-y,z"``."""
     words = [word.strip().lower() for word in axes.split(",")]
     matches = [re.fullmatch(r"([+-]?)([xyz])", word) for word in words]

@@ -4,6 +4,7 @@ import { make, withInterval, written } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered, typedIn } from "../drafts";
+import { bring } from "../incoming";
 import {
   accompany,
   ask,
@@ -18,6 +19,7 @@ import {
   whole,
 } from "../jobs";
 import { field, once, problem, select, snippets, textBox } from "../parts";
+import { pasteTrials } from "../pasting";
 import { line, svg } from "../picture";
 import { ESTIMATES } from "../quantities";
 import { type Fields, Reading } from "../reading";
@@ -335,6 +337,10 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
           : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`),
       ]),
     ),
+    pasteTrials(path, (answer) => {
+      written_ = answer;
+      goTo(place, "campaign", { file: path, pasted: String(Date.now()) });
+    }),
     make("h2", {}, "Updates"),
     found.updates.length
       ? table(
@@ -371,6 +377,11 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
           if (reader.firstChild === before) open(paths[0]!, "recording"); // else another file was opened meanwhile, and is being entered
         };
       },
+      (files) =>
+        bring(
+          files.map((file) => ({ path: file.name, file })),
+          path,
+        ),
     ),
     come,
     reader,

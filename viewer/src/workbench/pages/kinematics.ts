@@ -21,6 +21,7 @@ import {
   Sliders,
   Steps,
 } from "../parts";
+import { pastePoints } from "../pasting";
 import { Points } from "../points";
 import { inWords, part, quantity } from "../quantities";
 import { asSaid } from "../refusals";
@@ -282,6 +283,15 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   });
   dragged.set(moved());
 
+  const pasting = pastePoints(
+    () => ({ rig: name, changes: sliders.changes }),
+    (changes) => {
+      for (const [path, value] of Object.entries(changes)) sliders.set(path, value);
+      dragged.set(moved());
+      void ask();
+    },
+  );
+
   const targets: Target[] = before?.targets ?? [],
     chosen = make(
       "select",
@@ -528,7 +538,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     make(
       "div",
       { class: "beside" },
-      make("div", { class: "stuck" }, stage, dragged.element, steps.element),
+      make("div", { class: "stuck" }, stage, dragged.element, steps.element, pasting),
       make(
         "div",
         {},

@@ -8,6 +8,7 @@ import { Against, type Differences, Differing } from "../comparing";
 import { savable } from "../curves";
 import { discard, draftsOf, type Lying, moment } from "../drafts";
 import { files } from "../files";
+import { choosers } from "../incoming";
 import { field, once, problem, snippets } from "../parts";
 import { inWords } from "../quantities";
 import { address, goTo } from "../shell";
@@ -84,6 +85,12 @@ export async function show(place: HTMLElement): Promise<void> {
     make("p", { class: "muted" }, folder),
     unsaved(draftsOf(folder)),
     next(entries, kept, jobs, rig),
+    make(
+      "p",
+      { class: "muted" },
+      tr("Drop measured files, rigs or roads anywhere on a page, or choose them:"),
+    ),
+    choosers(),
     entries.length
       ? files(folder, entries)
       : make(

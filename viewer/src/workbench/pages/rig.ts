@@ -8,6 +8,7 @@ import * as api from "../api";
 import { Drafts, draftsOf, moment, stateOf } from "../drafts";
 import { Form, type Key, type Value } from "../form";
 import { copied, difference, InTurn, LiveSnippets, Newest, problem } from "../parts";
+import { pastePoints } from "../pasting";
 import { Points } from "../points";
 import { advised } from "../refusals";
 import { saveDrawing } from "../saving";
@@ -71,7 +72,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     pictures = new Newest();
   let drawing = Promise.resolve();
   const same = new LiveSnippets(),
-    form = new Form((keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }));
+    form = new Form(
+      (keys: Key[], value: Value) => void edit({ sets: [[keys, value]] }),
+      (sets) => void edit({ sets }),
+    );
   const view = new MechanismView(true),
     stage = make("div", { class: "player bare", hidden: true }, view.element);
   saveDrawing(view.element);
@@ -91,6 +95,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       ),
     ),
     points.element,
+    pastePoints(
+      () => ({ rig: name, text: text.value, changes: {} }),
+      (changes) => void edit({ changes }),
+    ),
     stage,
   );
 
@@ -182,6 +190,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
           await api.schema(found.model),
           found.values as { [key: string]: Value },
           found.problems,
+          found.notes,
         );
       } catch {
         form.element.replaceChildren();

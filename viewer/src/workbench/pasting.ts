@@ -1,0 +1,400 @@
+/** Tables copied from a spreadsheet: hardpoints, curves and trials, shown beside the present ones before they are taken. */
+
+import { make, whenLeft, written } from "../page";
+import { tr } from "../words";
+import * as api from "./api";
+import { field, once, problem, select } from "./parts";
+import { line, svg } from "./picture";
+import { key, part } from "./quantities";
+import { advised, type Finding } from "./refusals";
+import { table } from "./table";
+
+interface Pasted {
+  points: { name: string; theirs: string; before: number[]; after: number[]; distance: number }[];
+  unit: string;
+  axes: string;
+  is_unit_stated: boolean;
+  is_mirrored: boolean;
+  unknown: Record<string, string>;
+  absent: string[];
+  findings: Finding[];
+  changes: Record<string, number>;
+}
+interface Subject {
+  rig: string;
+  text?: string;
+  changes: Record<string, number>;
+}
+
+const MM = 1e3,
+  FAR = 0.1; // m: a point that moves further may be another one
+const AXES: [value: string, words: string][] = [
+  ["", "as they fit best"],
+  ["x,y,z", "x forward, y left, z up"],
+  ["-x,-y,z", "x back, y right, z up"],
+  ["x,-y,z", "x forward, y right, z up"],
+  ["-x,y,z", "x back, y left, z up"],
+  ["x,-y,-z", "x forward, y right, z down"],
+  ["y,-x,z", "x right, y forward, z up"],
+];
+
+/** A fold with a text area for the table, its options and a preview; `take` hears the changed coordinates (SI, by path). */
+export function pastePoints(
+  subject: () => Subject,
+  take: (changes: Record<string, number>) => void,
+): HTMLDetailsElement {
+  const area = make("textarea", {
+      rows: "6",
+      spellcheck: "false",
+      placeholder: "point\tx [mm]\ty [mm]\tz [mm]",
+    }),
+    unit = select(["", "mm", "m", "cm", "inch"], "", (one) => one || tr("as in the table")),
+    axes = make(
+      "select",
+      {},
+      ...AXES.map(([value, words]) => make("option", { value }, tr(words))),
+    ),
+    side = select(["left", "right"], "left", tr),
+    axle = select(["", "front", "rear"], "", (one) => tr(one || "the only one")),
+    preview = make("div", { "aria-live": "polite" }),
+    read = make("button", { type: "button" }, tr("Compare with the rig"));
+  const names: Record<string, string> = {};
+  let turn = 0;
+  const ask = async () => {
+    const own = ++turn;
+    if (!area.value.trim()) {
+      preview.replaceChildren();
+      return;
+    }
+    try {
+      const answer = await api.asked("POST", "/api/points", {
+        ...subject(),
+        table: area.value,
+        unit: unit.value,
+        axes: axes.value,
+        side: side.value,
+        axle: axle.value,
+        names,
+      });
+      const found = (await answer.json()) as Pasted;
+      if (own === turn) preview.replaceChildren(...shown(found));
+    } catch (error) {
+      if (own === turn) preview.replaceChildren(problem(error), ...forgotten());
+    }
+  };
+  /** Names that were assigned, which a later table may not have. */
+  const forgotten = (): HTMLElement[] => {
+    if (!Object.keys(names).length) return [];
+    const forget = make("button", { type: "button" }, tr("Forget the assigned names"));
+    forget.addEventListener("click", () => {
+      for (const name of Object.keys(names)) delete names[name];
+      void ask();
+    });
+    return [forget];
+  };
+  const place = (at: number[]) => at.map((value) => written(MM * value, 6)).join("  ");
+  const shown = (found: Pasted): HTMLElement[] => {
+    const count = new Set(Object.keys(found.changes).map((path) => path.split("[")[0])).size;
+    const go = make(
+      "button",
+      { type: "button", class: "main", disabled: !count },
+      tr("Take # changed points", String(count)),
+    );
+    go.addEventListener("click", () => {
+      take(found.changes);
+      preview.replaceChildren(
+        make("p", { class: "good" }, tr("# points taken. Undo reverses this.", String(count))),
+      );
+    });
+    const known = AXES.find(([value]) => value === found.axes)?.[1];
+    return [
+      make(
+        "p",
+        {},
+        tr(
+          found.is_unit_stated ? "Unit: #." : "Unit: #, since the points then fit best.",
+          found.unit,
+        ),
+        " ",
+        tr("Axes: #.", known ? tr(known) : found.axes),
+        ...(found.is_mirrored ? [" ", tr("The right corner was mirrored.")] : []),
+      ),
+      table(
+        "hardpoints",
+        ["hardpoint", "in the table", "before [mm]", "after [mm]", "moves by [mm]"],
+        found.points.map((one) => [
+          part(one.name),
+          one.theirs,
+          place(one.before),
+          place(one.after),
+          one.distance > FAR
+            ? make("span", { class: "mark fair" }, written(MM * one.distance, 4))
+            : written(MM * one.distance, 4),
+        ]),
+        [2, 3, 4],
+      ),
+      ...Object.entries(found.unknown).map(([theirs, where]) => {
+        const choice = make(
+          "select",
+          {},
+          make("option", { value: "" }, tr("leave it out")),
+          ...[...found.absent].map((name) => make("option", { value: name }, part(name))),
+        );
+        choice.addEventListener("change", () => {
+          if (choice.value) names[theirs] = choice.value;
+          else delete names[theirs];
+          void ask();
+        });
+        return field(
+          `${where.replace(/^table, line /, `${tr("line")} `)}: ${tr("# is no hardpoint of this rig", theirs)}`,
+          choice,
+        );
+      }),
+      ...(found.absent.length
+        ? [
+            make(
+              "p",
+              { class: "muted" },
+              tr("Not in the table, so unchanged: #", found.absent.map(part).join(", ")),
+            ),
+          ]
+        : []),
+      ...advised(
+        found.findings.filter((one) => one.severity !== "note"),
+        "p",
+      ),
+      make("p", { class: "bar" }, go, ...forgotten()),
+    ];
+  };
+  for (const one of [unit, axes, side, axle]) one.addEventListener("change", () => void ask());
+  read.addEventListener("click", () => void once(read, ask()));
+  area.addEventListener("paste", () => setTimeout(() => void ask()));
+  const fold = make(
+    "details",
+    { class: "pasting" },
+    make("summary", {}, tr("Paste hardpoints from a table")),
+    field(tr("Rows of a name and three coordinates, copied from a spreadsheet"), area),
+    make(
+      "div",
+      { class: "form" },
+      field(tr("Unit"), unit),
+      field(tr("Axes of the table"), axes),
+      field(tr("Corner"), side),
+      field(tr("Axle"), axle),
+      read,
+    ),
+    preview,
+  );
+  /** A table pasted while nothing is typed into is meant for the hardpoints. */
+  const pasted = (event: ClipboardEvent) => {
+    const given = event.clipboardData?.getData("text/plain") ?? "",
+      target = event.target as Element | null;
+    if (!fold.isConnected || target?.closest("input, textarea, select") || !/[\t;].*\n/.test(given))
+      return;
+    event.preventDefault();
+    fold.open = true;
+    area.value = given;
+    fold.scrollIntoView({ block: "nearest" });
+    void ask();
+  };
+  document.addEventListener("paste", pasted);
+  whenLeft(() => document.removeEventListener("paste", pasted));
+  return fold;
+}
+
+/** A fold with a text area for a table, further fields, and a preview that `ask` makes of the text. */
+function fold(
+  title: string,
+  label: string,
+  example: string,
+  fields: HTMLSelectElement[],
+  labels: string[],
+  ask: (text: string) => Promise<HTMLElement[]>,
+): HTMLDetailsElement {
+  const area = make("textarea", { rows: "5", spellcheck: "false", placeholder: example }),
+    preview = make("div", { "aria-live": "polite" }),
+    read = make("button", { type: "button" }, tr("Compare"));
+  let turn = 0;
+  const show = async () => {
+    const own = ++turn;
+    let shown: HTMLElement[];
+    try {
+      shown = area.value.trim() ? await ask(area.value) : [];
+    } catch (error) {
+      shown = [problem(error)];
+    }
+    if (own === turn) preview.replaceChildren(...shown);
+  };
+  for (const one of fields) one.addEventListener("change", () => void show());
+  read.addEventListener("click", () => void once(read, show()));
+  area.addEventListener("paste", () => setTimeout(() => void show()));
+  for (const kind of ["input", "change"])
+    area.addEventListener(kind, (event) => event.stopPropagation()); // not typed into a form around it
+  return make(
+    "details",
+    { class: "pasting" },
+    make("summary", {}, tr(title)),
+    field(tr(label), area),
+    make("div", { class: "form" }, ...fields.map((one, k) => field(tr(labels[k]!), one)), read),
+    preview,
+  );
+}
+
+/** Two curves in one small picture: the present one and the pasted one. */
+function curves(before: [number[], number[]], after: [number[], number[]]): HTMLElement {
+  const [width, height, edge] = [300, 150, 6];
+  const all = [0, 1].map((k) => [...before[k]!, ...after[k]!]);
+  const [x0, x1, y0, y1] = all.flatMap((values) => [Math.min(...values), Math.max(...values)]);
+  const path = ([x, y]: [number[], number[]]) =>
+    line(
+      x.map((at, k) => [
+        edge + ((width - 2 * edge) * (at - x0!)) / (x1! - x0! || 1),
+        height - edge - ((height - 2 * edge) * (y[k]! - y0!)) / (y1! - y0! || 1),
+      ]),
+    );
+  const picture = svg("svg", {
+    viewBox: `0 0 ${width} ${height}`,
+    class: "spark pair",
+    role: "img",
+    "aria-label": tr("present and pasted curve"),
+  });
+  picture.append(svg("path", { class: "was", d: path(before) }), svg("path", { d: path(after) }));
+  const figure = make("figure", {});
+  figure.append(
+    picture,
+    make("figcaption", { class: "muted" }, tr("solid: pasted; dashed: present")),
+  );
+  return figure;
+}
+
+interface PastedCurve {
+  over: number[];
+  force: number[];
+  columns: [string, string];
+  units: [string, string];
+  is_unit_stated: boolean;
+  before: [number[], number[]];
+}
+
+/** A table of a force over deflection or velocity; `take` hears the curve in SI. */
+export function pasteCurve(
+  over: "deflection" | "velocity",
+  before: [unknown, unknown],
+  take: (over: number[], force: number[]) => void,
+): HTMLDetailsElement {
+  const lengths = over === "deflection" ? ["mm", "m", "cm", "inch"] : ["m/s", "mm/s", "inch/s"];
+  const stated = (one: string) => one || tr("as in the table");
+  const unit = select(["", ...lengths], "", stated),
+    force = select(["", "N", "kN", "kgf", "lbf"], "", stated),
+    turned = make(
+      "select",
+      {},
+      ...[
+        ["", "neither"],
+        ["over", key(over)],
+        ["force", "force"],
+        ["both", "both"],
+      ].map(([value, words]) => make("option", { value: value! }, tr(words!))),
+    );
+  return fold(
+    "Paste a curve from a table",
+    "Two columns copied from a spreadsheet, compression positive",
+    over === "deflection" ? "deflection [mm]\tforce [N]" : "velocity [mm/s]\tforce [N]",
+    [unit, force, turned],
+    ["Unit of the first column", "Unit of the force", "Reverse the sign of"],
+    async (table) => {
+      const answer = await api.asked("POST", "/api/curve", {
+        table,
+        over,
+        over_unit: unit.value,
+        force_unit: force.value,
+        turned: turned.value,
+        before,
+      });
+      const found = (await answer.json()) as PastedCurve;
+      const go = make(
+        "button",
+        { type: "button", class: "main" },
+        tr("Take # rows", String(found.over.length)),
+      );
+      go.addEventListener("click", () => take(found.over, found.force));
+      return [
+        make(
+          "p",
+          {},
+          tr(
+            found.is_unit_stated ? "Units: #." : "Units: #, the usual ones for such numbers.",
+            found.units.join(", "),
+          ),
+        ),
+        curves(found.before, [found.over, found.force]),
+        make("p", { class: "bar" }, go),
+      ];
+    },
+  );
+}
+
+interface PastedTrials {
+  changes: { number: number; key: string; before: string; after: string }[];
+  absent: number[];
+  unlisted: number[];
+  digest: string;
+}
+interface WrittenTrials {
+  path: string;
+  before: string;
+  digest: string;
+}
+
+/** A table of trials for the trials of a campaign; `written` hears what undoes it. */
+export function pasteTrials(
+  path: string,
+  written: (answer: WrittenTrials) => void,
+): HTMLDetailsElement {
+  const send = async (body: object) =>
+    (await api.asked("POST", "/api/campaign/trials", { campaign: path, ...body })).json();
+  return fold(
+    "Paste the table of trials",
+    "Number, speed, angle, pressure and profile of each trial, copied from a spreadsheet with its headings",
+    "trial\tspeed [m/s]\tpressure [MPa]\tprofile",
+    [],
+    [],
+    async (text) => {
+      const found = (await send({ table: text })) as PastedTrials;
+      const go = make(
+          "button",
+          { type: "button", class: "main", disabled: !found.changes.length },
+          tr("Write # changes into the campaign", String(found.changes.length)),
+        ),
+        status = make("div", { "aria-live": "polite" });
+      go.addEventListener("click", () => {
+        once(go, send({ table: text, was: found.digest })).then(
+          (answer) => written(answer as WrittenTrials),
+          (error) => status.replaceChildren(problem(error)),
+        );
+      });
+      const of = (words: string, numbers: number[]) =>
+        numbers.length ? [make("p", { class: "muted" }, tr(words, numbers.join(", ")))] : [];
+      return [
+        ...(found.changes.length
+          ? [
+              table(
+                "changed trials",
+                ["trial", "field", "before", "after"],
+                found.changes.map((one) => [
+                  String(one.number),
+                  tr(one.key),
+                  one.before || "–",
+                  one.after,
+                ]),
+              ),
+            ]
+          : [make("p", { class: "good" }, tr("The campaign says the same."))]),
+        ...of("Not in the campaign, so left out: trial #", found.absent),
+        ...of("Not in the table, so unchanged: trial #", found.unlisted),
+        make("p", { class: "bar" }, go),
+        status,
+      ];
+    },
+  );
+}
