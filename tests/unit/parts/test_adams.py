@@ -124,7 +124,7 @@ def test_what_is_not_there_is_estimated_and_named(changed) -> None:
     assert "bodies.lower_arm.inertia" in rig.estimated
     said = " ".join(f"{finding.place}: {finding.message}" for finding in findings)
     assert "strut.spring: the property file" in said
-    assert "bodies.upright: not in the file: 8 kg assumed" in said
+    assert "bodies.upright: not in the file: 8 kg is assumed" in said
     assert rig.sprung.mass == pytest.approx(350.0, rel=0.5)
 
 
@@ -139,7 +139,7 @@ def test_a_part_without_inertia_is_estimated(changed) -> None:
     [
         ([("'suspension'", "'steering'")], "the subsystem is not a suspension.*'steering'"),
         ([("[UNITS]", "[NO_UNITS]")], r"the block \[UNITS\] is missing"),
-        ([("'mm'", "'furlong'")], "no unit of LENGTH; found 'furlong'.*inch"),
+        ([("'mm'", "'furlong'")], "no unit for LENGTH; found 'furlong'.*inch"),
         ([("'mm'", "'inch'")], r"an implausible half track width.*20\.27 m"),
         ([("-797.9", "797.9")], "left and right are swapped: y points to the right"),
         (

@@ -217,7 +217,7 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
     ({"wheel.camber": -1.0}, "wheel.camber", "were degrees given as rad", -1.0),
     ({"wheel.toe": 0.3}, "wheel.toe", "17.2 deg is a lot", 0.3),
     ({"tyre.undeformed_radius": 0.42}, "hardpoints.wheel_centre", "compressed by 120 mm", 0.12),
-    ({"tyre.undeformed_radius": 0.2}, "hardpoints.wheel_centre", "above the road by 100 mm", -0.1),
+    ({"tyre.undeformed_radius": 0.2}, "hardpoints.wheel_centre", "100 mm above the road", -0.1),
     (
         {"hardpoints.strut_top": [0.01, 0.3, 0.52]},
         "hardpoints.strut_top",
@@ -293,7 +293,7 @@ SUSPICIOUS: list[tuple[dict[str, Any], str, str, float | None]] = [
         "500 N at -1 m/s drives the motion",
         500.0,
     ),
-    ({"sprung.joint": [0.0, 0.0, 0.5]}, "sprung", "joint not used", None),
+    ({"sprung.joint": [0.0, 0.0, 0.5]}, "sprung", "joint is not used", None),
     (
         {"estimated": ("bodies", "strut.damping")},
         "estimated",

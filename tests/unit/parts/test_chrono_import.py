@@ -393,7 +393,7 @@ BAD: list[tuple[str, Callable[[dict[str, Any]], object], str]] = [
     (
         "audi_DoubleWishbone",
         lambda t: t["Tierod"].update({"Location Upright": [-0.2, 0.42, -0.12]}),
-        "tie_rod_outer: the same",
+        "tie_rod_outer: coincides",
     ),
     (
         "DoubleWishboneCurve",

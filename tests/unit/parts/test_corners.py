@@ -196,7 +196,7 @@ def test_the_body_on_a_spherical_joint_needs_more_than_mass():
     assert REFERENCE.with_changes(
         {"guide": "vertical+spherical", "sprung": sprung}
     ).sprung.joint == (0.0, 0.0, 0.5)
-    with pytest.raises(DescriptionError, match="sprung: centre_of_mass, inertia, joint missing"):
+    with pytest.raises(DescriptionError, match="sprung: centre_of_mass, inertia, joint is missing"):
         REFERENCE.with_changes({"guide": "vertical+spherical"})
 
 
@@ -263,7 +263,7 @@ MISTAKES = [  # old text, new text, line of the message, message
         '"760 mm", "300 mm"',
         '"760 mm", "-10 mm"',
         20,
-        r"wheel_centre: lies in or below the road.*found z = -10 mm",
+        r"wheel_centre: is in or below the road.*found z = -10 mm",
     ),
     (
         '["-120 mm", "700 mm", "180 mm"]',
@@ -403,7 +403,7 @@ def test_a_missing_hardpoint_is_named():
             {"hardpoints.link_2_inner": FIVE_LINK.hardpoints.link_1_inner},
             "link 2 has both ends of link 1",
         ),
-        ({"strut.on": "link_2"}, r"strut.on: the body 'link_2' carries it.*\[bodies.link_2\]"),
+        ({"strut.on": "link_2"}, r"strut.on: the body 'link_2' that carries it.*\[bodies.link_2\]"),
         ({"bodies.link_6": BODY}, "bodies.link_6: unknown key.*Did you mean 'link_5'"),
         (
             {

@@ -133,7 +133,7 @@ def test_axes_sides_axles_and_names(tmp_path) -> None:
     axles = rows("{name} FL,{x},{y},{z}") + rows(
         "{name} RL,{x},{y},{z}", strut_top=(0.0, 0.02, 0.4)
     )
-    with pytest.raises(DescriptionError, match=r"two axles.*--axle front or rear"):
+    with pytest.raises(DescriptionError, match=r"two axles.*--axle front or --axle rear"):
         read(tmp_path, axles)
     assert read(tmp_path, axles, axle="rear")[0].hardpoints.strut_top[2] == pytest.approx(0.4)
     column = ["side,point,x [mm],y [mm],z [mm]", *rows("L,{name},{x},{y},{z}")]
@@ -150,7 +150,7 @@ def test_axes_sides_axles_and_names(tmp_path) -> None:
     own = rows(names={"wheel_centre": "Hub"})
     with pytest.raises(
         DescriptionError,
-        match=r"points of a double-wishbone are missing.*also wheel_centre.*--name",
+        match=r"points of a double-wishbone are missing.*these points and wheel_centre.*--name",
     ):
         read(tmp_path, own)
     assert read(tmp_path, own, names={"hub": "wheel_centre"})[0].model == "double-wishbone"
@@ -182,8 +182,8 @@ def test_the_road_is_found(tmp_path) -> None:
             {},
             r"half track.*Is the table in inch or cm\?",
         ),
-        (rows(scale=100.0), {}, "unit is not in the file.*may be in inch or cm"),
-        (rows(scale=1 / 0.0254), {}, "unit is not in the file.*may be in inch"),
+        (rows(scale=100.0), {}, "file does not state the unit.*may be in inch or cm"),
+        (rows(scale=1 / 0.0254), {}, "file does not state the unit.*may be in inch"),
         (rows(), {"unit": "kg"}, "wrong unit"),
         (["name,x [mm],y [m],z [mm]", *rows()], {}, "columns in different units"),
         (["unit: furlong", *rows()], {}, "unknown unit 'furlong'"),
@@ -192,7 +192,11 @@ def test_the_road_is_found(tmp_path) -> None:
             {},
             r"lower_arm_front is given twice.*'LCA front' at \[1\.0, 2\.0, 3\.0\]",
         ),
-        (rows(strut_top=None), {}, "points of a double-wishbone are missing.*also strut_top"),
+        (
+            rows(strut_top=None),
+            {},
+            "points of a double-wishbone are missing.*these points and strut_top",
+        ),
         (rows(names=dict.fromkeys(POINTS, "P")), {}, "given twice|no suspension has these points"),
         ([*rows(), "a,1,2,3,4"], {}, "more than three numbers"),
         (

@@ -122,7 +122,7 @@ def test_springs_and_dampers_of_joints_are_said_to_be_left_out(tmp_path: Path) -
     ("text", "message"),
     [
         ("<mujoco><worldbody>", "not XML"),
-        ("<robot/>", "no MJCF; found '<robot>'"),
+        ("<robot/>", "not an MJCF file; found '<robot>'"),
         ('<!DOCTYPE a [<!ENTITY b "c">]><mujoco/>', "document type"),
         ("<mujoco/>", "an element worldbody"),
         ('<mujoco><include file="a.xml"/></mujoco>', "includes other files"),

@@ -195,7 +195,7 @@ def test_a_load_that_rises_with_the_square_of_the_deflection(tmp_path) -> None:
     ("changes", "says"),
     [
         ([("[UNITS]\n", "[UNIT]\n")], r"small\.tir: the section \[UNITS\] is missing"),
-        ([("LENGTH = 'mm'\n", "")], "the unit of LENGTH is missing"),
+        ([("LENGTH = 'mm'\n", "")], "the unit for LENGTH is missing"),
         (
             [("'mm'", "'parsec'")],
             r"line 2: unknown unit for LENGTH; found 'parsec'; allowed: meter, millimeter",

@@ -21,7 +21,7 @@ CASES = {
     "front.spring_rate": ({"front.spring_rate": "28 N/m"}, "would bounce at 0.0395 Hz", 0.039462),
     "rear.damping_coefficient": (
         {"rear.damping_coefficient": "2500 N*s/mm"},
-        "damping ratio 453",
+        "damping ratio of 453",
         453.0,
     ),
     "front.unsprung_mass": (

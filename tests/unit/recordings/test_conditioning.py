@@ -46,15 +46,15 @@ def test_sensitivities_are_read(
     [
         ("100", "m/s^2", "a sensitivity with its units is required"),
         ("100 mV", "m/s^2", "a sensitivity with its units is required"),
-        ("100 mV/mm", "m/s^2", "does not fit"),
-        ("100 g/mV", "m/s^2", "does not fit"),
+        ("100 mV/mm", "m/s^2", "is not valid in a sensitivity"),
+        ("100 g/mV", "m/s^2", "is not valid in a sensitivity"),
         ("0 mV/g", "m/s^2", "cannot record a signal"),
         (
             ("10 pC/(m/s^2)",),
             "m/s^2",
             "does not end in a quantity that a data acquisition card records",
         ),
-        (("10 pC/(m/s^2)", "1 mV/N"), "m/s^2", "does not fit"),
+        (("10 pC/(m/s^2)", "1 mV/N"), "m/s^2", "is not valid in a sensitivity"),
         ((), "m", "does not end"),
     ],
 )

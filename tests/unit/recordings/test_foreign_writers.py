@@ -37,7 +37,7 @@ def test_a_mat_file_in_a_format_of_octave_is_refused_with_what_to_do(
 ) -> None:
     (tmp_path / "a.mat").write_bytes(begin + bytes(200))
     with pytest.raises(
-        RecordingError, match=r"a\.mat: a file in a format of Octave.*save -v7 FILE\.mat"
+        RecordingError, match=r"a\.mat: a file in an Octave or HDF5 format.*save -v7 FILE\.mat"
     ):
         read_recording(tmp_path / "a.mat")
 

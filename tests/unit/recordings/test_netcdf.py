@@ -127,7 +127,7 @@ def test_a_netcdf_3_file_that_was_cut_off_or_grew_is_told(tmp_path: Path, record
         file.write_bytes(content[:size])
         with suppress(RecordingError):
             _, findings = read_recording(file)
-            assert [one.severity for one in findings if "announces" in one.message], size
+            assert [one.severity for one in findings if "declares" in one.message], size
     file.write_bytes(content + b"rest of another file")
     _, (finding, *_) = read_recording(file)
     assert (finding.severity, finding.value) == ("warning", 20.0)

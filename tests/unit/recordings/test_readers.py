@@ -82,7 +82,7 @@ def test_all_columns_renamed_in_order(tmp_path: Path) -> None:
             "u [s], sprung.az [g]",
             None,
             RecordingError,
-            "no column 'time'; found 'u .s., sprung.az .g.'.*Map it",
+            "no column 'time'; found 'u .s., sprung.az .g.'.*Map the time column",
         ),
         (
             "time [s], sprung.az",
@@ -282,7 +282,7 @@ def test_matlab_version_5(tmp_path: Path) -> None:
         match=r"no numeric variable 'x_f'; found '.*x_F \(40 x 3\).*Did you mean 'x_F'",
     ):
         read_columns(file, {"force": "N"}, columns=header, variable="x_f")
-    with pytest.raises(RecordingError, match=r"names 2 columns, 'x_F' has 3"):
+    with pytest.raises(RecordingError, match=r"names 2 columns, but 'x_F' has"):
         read_columns(file, {"force": "N"}, columns="a [m], b [N]", variable="x_F")
     with pytest.raises(
         RecordingError, match=r"0 variables have as many columns as the given header \(2\)"
@@ -379,7 +379,7 @@ def test_a_reader_whose_time_is_spent_is_told_from_one_that_crashed() -> None:
     child.is_ready = True
     for code, says in (
         (signal.SIGXCPU, "does not finish"),
-        (signal.SIGSEGV, r"ended the process.*\(SIGSEGV\)"),
+        (signal.SIGSEGV, r"process crashed \(SIGSEGV\)"),
     ):
         child.process = SimpleNamespace(wait=lambda code=code: -code)
         assert re.search(says, str(child._fate(Path("a.csv"), 9.0, late=False)))

@@ -34,7 +34,7 @@ def test_a_ride_is_not_doubted_and_its_wrong_records_are(
     assert said(body) == said(-body + 9.81) == ""
     assert "low-pass filter" in said(rides.filtered(body, 5.0, 2))
     assert "high-pass filter" in said(rides.filtered(body, 3.0, 2, high=True))
-    assert "exchanged" in said(wheel, body)
+    assert "swapped" in said(wheel, body)
     step = 1.7 * body.std()
     assert "coarse" in said(np.round(body / step) * step)
     assert "m/s^2 given as g" in said(40.0 / body.std() * body)

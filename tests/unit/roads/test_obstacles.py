@@ -99,7 +99,7 @@ def test_the_highest_circular_segment_is_a_half_cylinder() -> None:
         DescriptionError, match=r"height 0\.031 m exceeds that of a half-cylinder.*up to 0\.03 m"
     ):
         CircularSegment(height=0.031, length=0.06)
-    with pytest.raises(DescriptionError, match=r"height -0\.031 m is more than"):
+    with pytest.raises(DescriptionError, match=r"height -0\.031 m exceeds"):
         CircularSegment(height=-0.031, length=0.06)
     assert CircularSegment(height=0.0, length=1.0).height_at(0.5) == 0.0
 

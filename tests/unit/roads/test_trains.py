@@ -90,7 +90,7 @@ def test_recurring_trains_repeat_as_a_whole() -> None:
     [
         (
             {"count": 5, "pitch": "59 mm"},
-            r"overlap: pitch 0\.059 m .* shorter than the length 0\.06 m.*at least 0\.06 m",
+            r"overlap: the pitch 0\.059 m .* shorter than the obstacle length 0\.06 m.*at least 0\.06 m",
         ),
         ({"count": 0, "pitch": 1}, "count: .*greater than or equal to 1"),
         ({"count": 2.5, "pitch": 1}, "count: .*valid integer"),
