@@ -24,7 +24,10 @@ def test_a_file_of_the_users_own_comes_before_a_shipped_one(tmp_path, monkeypatc
 
 
 def test_an_unknown_name_is_refused_with_the_nearest_one() -> None:
-    says = r"sof: no such file, and no rig of that name in the library; allowed: a path to a .toml file, or one of soft, stiff"
+    says = (
+        r"sof: no such file, and no rig of that name in the library; "
+        r"allowed: a path to a .toml file, or one of soft, stiff"
+    )
     with pytest.raises(DescriptionError, match=rf"{says}\. Did you mean 'soft'\?"):
         find_file("sof", SHIPPED, "rig")
 

@@ -172,7 +172,7 @@ def test_a_measured_curve(tmp_path) -> None:
     assert Tyre(**tyre).curve is not None
     for row, says in [
         ("5 2000", "the curve does not increase; found '5 2000'"),
-        ("30", "two values are required"),
+        ("30", "a pair of numbers is required"),
         ("x 1", "not a number"),
     ]:
         with pytest.raises(DescriptionError, match=rf"line 19: \[DEFLECTION_LOAD_CURVE\]: {says}"):
