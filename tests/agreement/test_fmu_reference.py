@@ -134,7 +134,7 @@ def test_findings_are_counted_by_what_they_say() -> None:
     assert again.attributes() == found  # as a file keeps them
     assert (
         again.findings(3)[-1].sentence("de")
-        == "1 von 3 Varianten: hat keine Einheit: als m genommen."
+        == "1 von 3 Varianten: hat keine Einheit: m wird angenommen."
     )
     assert Tally().attributes() == {}
 

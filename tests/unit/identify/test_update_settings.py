@@ -166,7 +166,7 @@ def test_a_delay_that_was_not_asked_for_is_told(passed: tuple[jn.Rig, jn.Trial, 
     late = record.copy(deep=True)
     for name in late.data_vars:
         late[name] = late[name].shift(time=3, fill_value=float(late[name][0]))
-    assert "later than the updated model" not in told(updated(passed, record))
+    assert "lags the updated model" not in told(updated(passed, record))
     found = updated(passed, late)
     assert abs(found.parameters["strut.spring.rate"].value - 25e3) > 500.0
     assert "in trial 1" in told(found)
