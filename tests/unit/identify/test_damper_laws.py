@@ -550,10 +550,10 @@ def test_a_damper_that_fades_and_a_zero_that_drifts_are_told():
 
 def test_a_sensor_out_of_range_is_told_and_no_law_blamed():
     t, x, v, f = shaken()
-    assert "samples of the force lie flat at its limits: the load cell" in advised(
+    assert "samples of the force are flat at its limits: the load cell" in advised(
         x, v, np.clip(f, -150.0, 250.0), t
     )
-    assert "samples of the displacement lie flat" in advised(np.clip(x, -0.015, 0.015), None, f, t)
+    assert "samples of the displacement are flat" in advised(np.clip(x, -0.015, 0.015), None, f, t)
 
 
 def test_samples_that_are_missing_though_the_time_goes_on_are_told():

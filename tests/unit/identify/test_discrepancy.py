@@ -400,7 +400,9 @@ def test_sides_of_a_damper_differ_where_forces_beside_a_line_have_one_sign(bends
 def test_fewer_than_three_trials_give_no_such_interval():
     found = jn.update_model(trials({}, count=2), FREE, weights="normalised", doubt=jn.Doubt())
     assert found.discrepancy is None
-    assert any("it takes 3 fitted trials (here 2)" in finding.message for finding in found.findings)
+    assert any(
+        "it requires 3 fitted trials (here 2)" in finding.message for finding in found.findings
+    )
 
 
 def test_a_contradicted_bench_value_withholds_its_parameter(wrong):

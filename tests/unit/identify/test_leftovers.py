@@ -45,7 +45,7 @@ def test_a_record_that_is_only_noisy_has_no_fault() -> None:
         (lambda t: swing(t) / 9.81, "times the response of the updated model", 1.0 / 9.81),
         (lambda t: swing(t) + 0.5 * t, "drifts by 0.5", 0.5),
         (lambda t: swing(t - 0.004), "lags the updated model by 4 ms", 0.004),
-        (lambda t: swing(t + 0.004), "comes 4 ms earlier", -0.004),
+        (lambda t: swing(t + 0.004), "leads the updated model by 4 ms", -0.004),
     ],
 )
 def test_the_fault_is_named_with_its_size(

@@ -338,7 +338,7 @@ def test_result_is_plain_data():
         (
             [ForceDeflectionTrial(STROKE[::-1], 1e4 * STROKE[::-1])],
             {},
-            "ends at its zero .* -10 mm and -100 N",
+            "ends at zero deflection .* -10 mm and -100 N",
         ),
         ([line(1e4)], {"operating_force": math.nan}, "invalid static force; found .nan N"),
         ([line(1e4)], {"operating_force": 0.0}, "operating_force: invalid static force"),

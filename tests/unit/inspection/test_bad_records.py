@@ -67,7 +67,7 @@ def test_good_record_has_no_findings(car_run, load, left_record, eusama):
     [
         (
             lambda record: record["left.plate.force"].assign_attrs(units="kN"),
-            "another unit; found 'kN'; allowed: N",
+            "a different unit; found 'kN'; allowed: N",
         ),
         (
             lambda record: record["left.plate.force"].astype(complex),

@@ -205,7 +205,7 @@ def test_who_is_sound_and_who_is_worn() -> None:
 )
 def test_ranges_of_wear(text, wears) -> None:
     if wears is None:
-        with pytest.raises(JounceError, match="invalid range of wear"):
+        with pytest.raises(JounceError, match="not a range of wear"):
             sweep_wear(text)
     else:
         assert sweep_wear(text) == wears

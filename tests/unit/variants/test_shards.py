@@ -431,7 +431,7 @@ def test_a_normal_distribution_that_strays_says_how_much_of_it_is_cut_off(
     assert found.attrs["outside"] == below == int(np.sum(found["reason"].values != ""))
     (said,) = (one for one in summarise(found).findings if one.place == "spreads")
     assert said.value == pytest.approx(below / 64)
-    assert "cut off" in said.message
+    assert "truncated" in said.message
 
 
 def test_a_range_that_no_mass_can_have_runs_nothing(tmp_path: Path) -> None:
