@@ -232,7 +232,7 @@ def test_of_several_load_cycles_one_is_taken(farthest):
     assert result.hysteresis_energy == pytest.approx(0.2 * 0.5 * 1e5 * 0.010**2, rel=0.02)
     assert result.stiffness.value == pytest.approx(1e5)
     assert (
-        f"turns 5 times): only the largest one is used, points {201 * farthest + 1} to"
+        f"reverses 5 times): only the largest one is used, points {201 * farthest + 1} to"
         in messages(result)
     )
     assert "turns" not in messages(fit_stiffness([ForceDeflectionTrial(one, one)]))
