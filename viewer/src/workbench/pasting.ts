@@ -1,7 +1,7 @@
 /** Tables copied from a spreadsheet: hardpoints, curves and trials, shown beside the present ones before they are taken. */
 
 import { make, whenLeft, written } from "../page";
-import { tr } from "../words";
+import { localised, tr } from "../words";
 import * as api from "./api";
 import { field, once, problem, select } from "./parts";
 import { line, svg } from "./picture";
@@ -92,7 +92,8 @@ export function pastePoints(
     });
     return [forget];
   };
-  const place = (at: number[]) => at.map((value) => written(MM * value, 6)).join("  ");
+  const place = (at: number[]) =>
+    at.map((value) => localised(String(Number((MM * value).toFixed(4))))).join("  ");
   const shown = (found: Pasted): HTMLElement[] => {
     const count = new Set(Object.keys(found.changes).map((path) => path.split("[")[0])).size;
     const go = make(
