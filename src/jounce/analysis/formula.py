@@ -156,7 +156,7 @@ def evaluate_formula(
     lost = np.flatnonzero(~np.isfinite(values))
     findings = list(work.findings)
     if lost.size and not findings:
-        findings.append(_gaps("no_value", where, lost, time, formula))
+        findings.append(_gaps("analysis.no_value", where, lost, time, formula))
     if lost.size:
         values = np.where(np.isfinite(values), values, np.nan)
     return ComputedChannel(formula, unit or si, tuple(sorted(work.used)), values, tuple(findings))
@@ -314,7 +314,7 @@ class _Evaluation:
             )
         if zero.any():
             self.findings.append(
-                _gaps("divided_by_zero", self.where, np.flatnonzero(zero), self.time, right.text)
+                _gaps("analysis.divided_by_zero", self.where, np.flatnonzero(zero), self.time, right.text)
             )
         return np.where(zero, np.nan, left.values / np.where(zero, 1.0, right.values))
 
@@ -620,7 +620,7 @@ FUNCTIONS: Mapping[str, _Function] = {
 
 def _gaps(code: str, where: str, lost: Any, time: Array, text: str) -> Finding:
     return finding(
-        f"analysis.{code}",
+        code,
         where,
         float(lost.size),
         text=text,

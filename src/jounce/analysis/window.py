@@ -74,7 +74,7 @@ def window_statistics(values: ArrayLike, *, where: str = "window") -> WindowStat
     Parameters
     ----------
     values : array_like, shape (n,)
-        Samples in any unit; a memory-mapped array is read in pieces.
+        Samples in any one unit (SI in recordings of jounce); a memory-mapped array is read in pieces.
     where : str
         Location named in errors.
 
@@ -132,7 +132,7 @@ def histogram(
     Parameters
     ----------
     values : array_like, shape (n,)
-        Samples in any unit.
+        Samples in any one unit (SI in recordings of jounce).
     bins : int
         Number of bins, 1 to 200.
     limits : (float, float), optional

@@ -44,7 +44,7 @@ def hide_from_others(*modules: str) -> None:
     """Let packages that use a module only if it is installed go without it; :func:`require` still imports it.
 
     >>> hide_from_others("xmlrpc")
-    >>> sys.modules["xmlrpc"], require("xmlrpc", "io").__name__
+    >>> sys.modules["xmlrpc"], require("xmlrpc", extra="io").__name__
     (None, 'xmlrpc')
     """
     for module in modules:
