@@ -314,7 +314,13 @@ class _Evaluation:
             )
         if zero.any():
             self.findings.append(
-                _gaps("analysis.divided_by_zero", self.where, np.flatnonzero(zero), self.time, right.text)
+                _gaps(
+                    "analysis.divided_by_zero",
+                    self.where,
+                    np.flatnonzero(zero),
+                    self.time,
+                    right.text,
+                )
             )
         return np.where(zero, np.nan, left.values / np.where(zero, 1.0, right.values))
 
