@@ -214,7 +214,9 @@ def test_a_step_of_a_slider_computes_only_the_changed_rig(tmp_path, monkeypatch)
     (tmp_path / "a.toml").write_text(KART)
     project, computed, run = Project(tmp_path), [], sweeps._run
     monkeypatch.setattr(sweeps, "_run", lambda rig, asked: computed.append(rig) or run(rig, asked))
-    asked = sweeps.Question("a.toml", {}, "-10 mm : 10 mm : 5 mm", against="kart-double-wishbone")
+    asked = sweeps.Question(
+        "a.toml", {}, "-10 mm : 10 mm : 5 mm", against=("kart-double-wishbone",)
+    )
     path = "hardpoints.tie_rod_inner[2]"
     height = answers.rig_of(project, "a.toml").parameters()[path]
     for step in range(1, 5):
@@ -782,7 +784,7 @@ def test_sweeps_over_travel_rack_and_roll_are_those_of_python_and_command(
     assert sorted(shown) == sorted(
         map(str, names["curves"].data_vars)
     )  # each once, and none besides
-    assert shown[0] == ("track" if over == "roll" else "camber")
+    assert shown[0] == ("left.camber" if over == "roll" else "camber")
 
 
 def test_targets_stand_in_the_units_of_their_curves(ask):
@@ -1096,11 +1098,12 @@ def test_long_runs_are_kept_only_while_there_is_room(ask, monkeypatch):
     from jounce.web import answers
 
     monkeypatch.setattr(answers, "_DONE", type(answers._DONE)())
+    monkeypatch.setattr(answers, "_MOST_DONE", 4)
     speeds = ("1 m/s", "2 m/s", "3 m/s", "4 m/s", "5 m/s")
     for speed in speeds:
         assert ask("POST", "/api/simulate", RUN | {"speed": speed})[0] == 200
     assert len(answers._DONE) == 4
-    monkeypatch.setattr(answers, "_LARGEST_DONE", 2 * next(iter(answers._DONE.values())).nbytes)
+    monkeypatch.setattr(answers, "_LARGEST_DONE", 2 * next(iter(answers._DONE.values()))[1])
     assert ask("POST", "/api/simulate", RUN | {"speed": "6 m/s"})[0] == 200
     assert len(answers._DONE) == 2
 

@@ -86,6 +86,7 @@ BASES = {
     "inspect watch": "inspect watch . --store lane.sqlite --tester eusama --once",
     "inspect reevaluate": "inspect reevaluate --store lane.sqlite",
     "inspect history": 'inspect history --plate "B-AB 123" --store lane.sqlite',
+    "inspect protocol": "inspect protocol 1 --store lane.sqlite",
     "inspect search": "inspect search --store lane.sqlite",
     "inspect export": "inspect export --store lane.sqlite --out table.csv",
     "inspect verify": "inspect verify --store lane.sqlite",

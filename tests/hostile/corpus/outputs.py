@@ -19,6 +19,7 @@ READ = (
     "serve",
     "inspect reevaluate",
     "inspect history",
+    "inspect protocol",
     "inspect search",
     "inspect export",
     "inspect verify",
@@ -111,7 +112,10 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
     special = {
         ("animate", "--figure"): (".gif",),  # .mp4 needs another program
         ("animate", "--report"): (".html",),
-        ("inspect evaluate", "--report"): tuple(PROTOCOLS.writers),
+        **dict.fromkeys(
+            (("inspect evaluate", "--report"), ("inspect protocol", "--report")),
+            tuple(PROTOCOLS.writers),
+        ),
         ("inspect export", "--out"): tuple(TABLES.writers),
         **dict.fromkeys(
             ((one, "--out") for one in ("kinematics", "clearances", "steering-effort")),
