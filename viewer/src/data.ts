@@ -128,9 +128,13 @@ export class Store {
       const flat = store.straight!(index);
       return Array.from({ length: flat.length / 3 }, (_, i) => flat.subarray(3 * i, 3 * i + 3));
     };
-    for (const one of content.mechanisms) {
-      const { points, spin, contact } = one as unknown as Straight;
-      Object.assign(one, { points: points.map(rows), spin: rows(spin), contact: rows(contact) });
+    for (const mechanism of content.mechanisms) {
+      const { points, spin, contact } = mechanism as unknown as Straight;
+      Object.assign(mechanism, {
+        points: points.map(rows),
+        spin: rows(spin),
+        contact: rows(contact),
+      });
     }
     return store;
   }
@@ -147,10 +151,10 @@ export class Store {
     let low = Infinity,
       high = -Infinity;
     for (let i = 0; i < values.length; i++) {
-      const one = values[i];
-      if (one !== null && one !== undefined) {
-        if (one < low) low = one;
-        if (one > high) high = one;
+      const value = values[i];
+      if (value !== null && value !== undefined) {
+        if (value < low) low = value;
+        if (value > high) high = value;
       }
     }
     return high > low ? (high - low) * 1e-7 : 0;
@@ -165,10 +169,10 @@ export class Store {
 }
 
 /** Replaces unknown values by null, for plotting. */
-function withGaps(found: Float64Array | Float32Array): Numbers {
-  return found.some(Number.isNaN)
-    ? Array.from(found, (one) => (Number.isNaN(one) ? null : one))
-    : found;
+function withGaps(values: Float64Array | Float32Array): Numbers {
+  return values.some(Number.isNaN)
+    ? Array.from(values, (value) => (Number.isNaN(value) ? null : value))
+    : values;
 }
 
 const GAP = 65535;
@@ -176,7 +180,7 @@ const GAP = 65535;
 function unpack(packed: Packed, bytes: Uint8Array): Numbers {
   const { n, at, order, low, step, even } = packed;
   if (even) return Float64Array.from({ length: n }, (_, i) => even[0] + i * even[1]);
-  const found = new Float64Array(n);
+  const result = new Float64Array(n);
   let value = 0,
     slope = 0,
     gaps = false;
@@ -192,9 +196,9 @@ function unpack(packed: Packed, bytes: Uint8Array): Numbers {
       }
     }
     if (value === GAP) gaps = true;
-    found[i] = value === GAP ? NaN : low + step * value;
+    result[i] = value === GAP ? NaN : low + step * value;
   }
-  return gaps ? Array.from(found, (one) => (Number.isNaN(one) ? null : one)) : found;
+  return gaps ? Array.from(result, (value) => (Number.isNaN(value) ? null : value)) : result;
 }
 
 /** Value between samples; `x` ascends. */

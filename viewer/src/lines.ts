@@ -28,4 +28,6 @@ export const inStyle = (label: string, role: string): string =>
 
 /** Curves in the order of drawing: the changed one comes last, on top of all others. */
 export const drawingOrder = <T extends { role: string }>(curves: readonly T[]): T[] =>
-  [...curves].sort((one, other) => Number(one.role === "after") - Number(other.role === "after"));
+  [...curves].sort(
+    (curve, other) => Number(curve.role === "after") - Number(other.role === "after"),
+  );

@@ -216,10 +216,10 @@ export class MechanismView {
       if (!was) return;
       const x = event.clientX - was.clientX,
         y = event.clientY - was.clientY;
-      const other = [...fingers.values()].find((one) => one !== was),
+      const other = [...fingers.values()].find((finger) => finger !== was),
         share = other ? 0.5 : 1;
-      const away = (one: PointerEvent) =>
-        Math.hypot(one.clientX - other!.clientX, one.clientY - other!.clientY) || 1;
+      const away = (event: PointerEvent) =>
+        Math.hypot(event.clientX - other!.clientX, event.clientY - other!.clientY) || 1;
       fingers.set(event.pointerId, event);
       if (other) this.enlarge(away(event) / away(was));
       if (
@@ -328,7 +328,7 @@ export class MechanismView {
       size: Point = [radius, width / 2, radius];
     const all = [...this.points, add(hub, size), minus(hub, size)];
     const ends = [Math.min, Math.max].map(
-      (end) => [0, 1, 2].map((i) => end(...all.map((one) => one[i]!))) as Point,
+      (end) => [0, 1, 2].map((i) => end(...all.map((point) => point[i]!))) as Point,
     ) as [Point, Point];
     const [azimuth, elevation] = VIEWS[name],
       half = add([0, 0, 0], minus(ends[1], ends[0]), 0.5);

@@ -31,8 +31,8 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   }
   const own = attributes.scope === "col" || /^mark\b/.test(String(attributes.class ?? "")); // heads and verdicts are words, however they begin
   element.append(
-    ...content.map((one) =>
-      typeof one !== "string" ? one : own && tr(one) !== one ? tr(one) : heard(one),
+    ...content.map((item) =>
+      typeof item !== "string" ? item : own && tr(item) !== item ? tr(item) : heard(item),
     ),
   );
   return element;
@@ -193,15 +193,15 @@ export function dress(): void {
   const all = <K extends string>(selector: K) =>
     document.querySelectorAll<HTMLDetailsElement>(selector);
   addEventListener("beforeprint", () =>
-    all("details:not([open])").forEach((one) => {
-      one.dataset.folded = "";
-      one.open = true;
+    all("details:not([open])").forEach((element) => {
+      element.dataset.folded = "";
+      element.open = true;
     }),
   );
   addEventListener("afterprint", () =>
-    all("details[data-folded]").forEach((one) => {
-      delete one.dataset.folded;
-      one.open = false;
+    all("details[data-folded]").forEach((element) => {
+      delete element.dataset.folded;
+      element.open = false;
     }),
   );
 }

@@ -98,10 +98,10 @@ export class Player {
 
   /** Shows the scene of this name; returns whether it exists. */
   choose(name: string): boolean {
-    const found = this.model.scenes.findIndex((scene) => scene.name === name);
-    if (found < 0) return false;
-    this.choice.value = String(found);
-    this.show(this.model.scenes[found]!);
+    const value = this.model.scenes.findIndex((scene) => scene.name === name);
+    if (value < 0) return false;
+    this.choice.value = String(value);
+    this.show(this.model.scenes[value]!);
     return true;
   }
 
@@ -114,8 +114,8 @@ export class Player {
     const scene = model.scenes[Math.min(index, model.scenes.length - 1)]!;
     const all = isOther || (before[0] <= first && before[1] >= last);
     if (
-      model.roles.map((one) => one.label).join() !==
-        this.model.roles.map((one) => one.label).join() ||
+      model.roles.map((role) => role.label).join() !==
+        this.model.roles.map((role) => role.label).join() ||
       model.roles.length !== this.model.roles.length
     )
       this.offerRoles(model);
@@ -317,7 +317,7 @@ export class Player {
                 this.panes.set(pane.name, on);
                 if (
                   on &&
-                  this.scene.panes.some((one) => one.name === pane.name && !one.curves.length)
+                  this.scene.panes.some((other) => other.name === pane.name && !other.curves.length)
                 )
                   this.lacking?.();
                 else this.plot(this.plots.window);
@@ -489,8 +489,8 @@ export class Player {
       if (event.key === "Enter")
         this.channels
           .querySelectorAll<HTMLButtonElement>(".sought[aria-pressed=false]")
-          .forEach((one, k) => {
-            if (k < MOST_SOUGHT) one.click();
+          .forEach((element, k) => {
+            if (k < MOST_SOUGHT) element.click();
           });
       return;
     }

@@ -87,10 +87,10 @@ export class LinkedPlots {
 
   /** Replaces the data of the plots; returns whether they have the same form. */
   private refresh(plotted: Plotted, keep: [number, number] | null): boolean {
-    const kind = (one: Plotted) =>
+    const kind = (curve: Plotted) =>
       JSON.stringify([
-        one.xLabel,
-        one.panes.map((pane) => [
+        curve.xLabel,
+        curve.panes.map((pane) => [
           pane.title,
           pane.unit,
           pane.lines.map((line) => [line.label, line.role, line.dash]),

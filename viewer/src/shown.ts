@@ -50,9 +50,9 @@ export function seeker(sought: string): (own: string) => boolean {
 }
 
 /** Things by their ranks; those of equal rank stay in order. */
-export const sorted = <T>(things: T[], rank: (one: T) => number): T[] =>
+export const sorted = <T>(things: T[], rank: (nullable: T) => number): T[] =>
   things
-    .map((one, k): [number, number, T] => [Math.min(rank(one), 1e9), k, one])
+    .map((thing, k): [number, number, T] => [Math.min(rank(thing), 1e9), k, thing])
     .sort(([a, i], [b, j]) => a - b || i - j)
     .map(([, , one]) => one);
 

@@ -110,18 +110,18 @@ export class Aligning {
           ? {}
           : { maximum_shift: this.most.valueAsNumber }),
       });
-      const found = (await answer.json()) as Aligned;
-      layout.recordings[moved]!.shifts.time = Number(found.shift.toFixed(6));
+      const aligned = (await answer.json()) as Aligned;
+      layout.recordings[moved]!.shifts.time = Number(aligned.shift.toFixed(6));
       this.laid.changed();
       this.said.textContent =
-        `${tr("Shifted by # s.", written(found.shift, 6))} ` +
-        (found.correlation === null
+        `${tr("Shifted by # s.", written(aligned.shift, 6))} ` +
+        (aligned.correlation === null
           ? ""
-          : `${tr("Correlation #", written(found.correlation, 3))}${
-              found.next_best === null
+          : `${tr("Correlation #", written(aligned.correlation, 3))}${
+              aligned.next_best === null
                 ? ""
-                : `, ${tr("next best peak #", written(found.next_best, 3))}`
-            }, ${tr("compared at # Hz", written(found.rate, 4))}.`);
+                : `, ${tr("next best peak #", written(aligned.next_best, 3))}`
+            }, ${tr("compared at # Hz", written(aligned.rate, 4))}.`);
     } catch (error) {
       this.said.replaceChildren(problem(error));
     }

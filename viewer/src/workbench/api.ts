@@ -108,7 +108,7 @@ async function sent(path: string, given: RequestInit): Promise<Response> {
   } | null;
   throw new Refused(
     refusal?.error?.text ??
-      refusal?.detail?.map?.((one) => `${one.loc.slice(1).join(".")}: ${one.msg}`).join("; ") ??
+      refusal?.detail?.map?.((item) => `${item.loc.slice(1).join(".")}: ${item.msg}`).join("; ") ??
       answer.statusText,
     refusal?.error?.german,
   );
@@ -122,7 +122,7 @@ export const project = () => get<Project>("/api/project");
 let place: Promise<string> | null = null;
 /** Folder of the workbench, requested once. */
 export function folder(): Promise<string> {
-  place ??= project().then((found) => found.folder);
+  place ??= project().then((project) => project.folder);
   place.catch(() => {
     place = null;
   });
@@ -140,15 +140,15 @@ export const file = (path: string) => get<answers.Text>(`/api/file?${query({ pat
 export const versions = (path: string) =>
   get<answers.Version[]>(`/api/versions?${query({ path })}`);
 export const check = async (path: string): Promise<Checked> => {
-  const found = await get<{
+  const answer = await get<{
     kind: string;
     what: string;
     problems: { text: string; german: string | null }[];
     notes: Checked["notes"];
   }>(`/api/check?${query({ path })}`);
   return {
-    ...found,
-    problems: found.problems.map(({ text, german }) => new Refused(text, german)),
+    ...answer,
+    problems: answer.problems.map(({ text, german }) => new Refused(text, german)),
   };
 };
 export const rig = (name: string) => get<Rig>(`/api/rig?${query({ name })}`);
@@ -159,13 +159,13 @@ export const save = async (path: string, text: string, was: string) =>
 const schemas = new Map<string, Promise<object>>();
 /** Schema of a model, requested once. */
 export function schema(model: string): Promise<object> {
-  let found = schemas.get(model);
-  if (!found) {
-    found = get<object>(`/api/schema?${query({ model })}`);
-    schemas.set(model, found);
-    found.catch(() => schemas.delete(model));
+  let schema = schemas.get(model);
+  if (!schema) {
+    schema = get<object>(`/api/schema?${query({ model })}`);
+    schemas.set(model, schema);
+    schema.catch(() => schemas.delete(model));
   }
-  return found;
+  return schema;
 }
 export const form = async (
   path: string,
@@ -173,13 +173,16 @@ export const form = async (
   sets: unknown[],
   changes: Record<string, number>,
 ): Promise<Form> => {
-  const found = (await (
+  const form = (await (
     await asked("POST", "/api/form", { path, text, sets, changes })
   ).json()) as Form;
   return {
-    ...found,
-    problems: found.problems.map((one) => ({ ...one, text: inLanguage(one.text, one.german) })),
-    notes: found.notes.map((one) => ({ ...one, text: inLanguage(one.text, one.german) })),
+    ...form,
+    problems: form.problems.map((problem) => ({
+      ...problem,
+      text: inLanguage(problem.text, problem.german),
+    })),
+    notes: form.notes.map((note) => ({ ...note, text: inLanguage(note.text, note.german) })),
   };
 };
 export const binary = async (path: string, body: unknown) =>

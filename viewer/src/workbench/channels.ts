@@ -77,7 +77,7 @@ export class ChannelList {
       target = graphs[Number(this.into.value)];
     if (graphs.some(({ channels }) => channels.includes(name)))
       layout.graphs = graphs
-        .map(({ channels }) => ({ channels: channels.filter((one) => one !== name) }))
+        .map(({ channels }) => ({ channels: channels.filter((channel) => channel !== name) }))
         .filter(({ channels }) => channels.length);
     else if (this.into.value && target && target.channels.length < MOST_CHANNELS)
       target.channels.push(name);

@@ -37,7 +37,7 @@ export function whenPinned(does: () => void): void {
 }
 
 function pin(name: string, label: string, on: boolean): void {
-  pinned = [...pinned.filter((one) => one !== name), ...(on ? [name] : [])].slice(-MOST_PINNED);
+  pinned = [...pinned.filter((text) => text !== name), ...(on ? [name] : [])].slice(-MOST_PINNED);
   try {
     lasting?.setItem(KEY, JSON.stringify(pinned));
   } catch {
@@ -74,7 +74,7 @@ function buttons(name: string, label: string, element: Element): Node[] {
     "⤢",
   );
   opens.setAttribute("aria-label", tr("Enlarge #, or show it as a table", label));
-  for (const one of [pins, opens]) one.dataset.curve = name;
+  for (const button of [pins, opens]) button.dataset.curve = name;
   return [pins, opens];
 }
 

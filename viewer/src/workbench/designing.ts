@@ -46,11 +46,11 @@ export function designing(
     ...new Set(
       rig.numbers
         .map(({ path }) => /^(hardpoints\.\w+)\[/.exec(path)?.[1])
-        .filter((one): one is string => !!one && !one.endsWith("wheel_centre")),
+        .filter((text): text is string => !!text && !text.endsWith("wheel_centre")),
     ),
   ];
-  const boxes = names.map((one) =>
-    make("input", { type: "checkbox", value: one, checked: /tie_rod|link_5/.test(one) }),
+  const boxes = names.map((name) =>
+    make("input", { type: "checkbox", value: name, checked: /tie_rod|link_5/.test(name) }),
   );
   const within = make("input", { type: "text", value: "15 mm" }),
     starts = make("input", { type: "number", min: "1", max: "100", value: "4" }),
@@ -110,7 +110,9 @@ export function designing(
       now = await api.form(name, file.text, [], changes);
     if (now.problems.length)
       throw new Error(
-        now.problems.map((one) => `${one.path ? `${one.path}: ` : ""}${one.text}`).join(" "),
+        now.problems
+          .map((problem) => `${problem.path ? `${problem.path}: ` : ""}${problem.text}`)
+          .join(" "),
       ); // its text is that of the file then
     const start = `designs/${stem}-${mark}-start.toml`;
     await api.save(start, now.text, ""); // the rig as it stands on the page
@@ -119,15 +121,15 @@ export function designing(
       `rig = ${quoted(`${stem}-${mark}-start.toml`)}`,
       `starts = ${starts}`,
       "",
-      ...free.flatMap((one) => [
+      ...free.flatMap((text) => [
         "[[free]]",
-        `point = ${quoted(one)}`,
+        `point = ${quoted(text)}`,
         `within = ${quoted(within)}`,
         "",
       ]),
-      ...targets.flatMap((one) => [
+      ...targets.flatMap((target) => [
         "[[target]]",
-        ...Object.entries(one).map(([key, value]) => `${key} = ${quoted(String(value))}`),
+        ...Object.entries(target).map(([key, value]) => `${key} = ${quoted(String(value))}`),
         "",
       ]),
     ].join("\n");
@@ -149,26 +151,26 @@ export function designing(
     });
     out.replaceChildren(make("p", { class: "bar" }, bar, said, cancel));
     for (;;) {
-      const found = await job(begun.id);
+      const result = await job(begun.id);
       if (!out.isConnected) return;
-      if (found.share === null) bar.removeAttribute("value");
-      else bar.value = found.share;
+      if (result.share === null) bar.removeAttribute("value");
+      else bar.value = result.share;
       said.textContent = [
-        (isGerman && found.said_german) || tr(found.said),
-        `${written(found.lasted ?? 0, 2)} s`,
-        found.left ? tr("# s left", written(found.left, 2)) : "",
+        (isGerman && result.said_german) || tr(result.said),
+        `${written(result.lasted ?? 0, 2)} s`,
+        result.left ? tr("# s left", written(result.left, 2)) : "",
       ]
         .filter(Boolean)
         .join(", ");
-      if (found.state === "done") {
-        results(found);
+      if (result.state === "done") {
+        results(result);
         return;
       }
-      if (!["running", "cancelling"].includes(found.state)) {
+      if (!["running", "cancelling"].includes(result.state)) {
         out.replaceChildren(
           problem(
-            found.error
-              ? new Refused(found.error, found.german)
+            result.error
+              ? new Refused(result.error, result.german)
               : new Error(tr("The search was stopped.")),
           ),
         );
@@ -178,8 +180,8 @@ export function designing(
     }
   }
 
-  function results(found: Found): void {
-    const result = found.result as {
+  function results(outcome: Found): void {
+    const result = outcome.result as {
       met: boolean;
       moved: Record<string, { before: number; after: number }>;
       targets: { quantity: string; met: boolean }[];
@@ -209,14 +211,14 @@ export function designing(
       taking.addEventListener("click", () => take(moved));
       return taking;
     };
-    const numbers = new Map(rig.numbers.map((one) => [one.path, one]));
+    const numbers = new Map(rig.numbers.map((parameter) => [parameter.path, parameter]));
     out.replaceChildren(
       make(
         "p",
         { class: result.met ? "good" : "problem" },
         result.met
           ? tr("Every target is met.")
-          : tr("Targets missed: #.", String(result.targets.filter((one) => !one.met).length)),
+          : tr("Targets missed: #.", String(result.targets.filter((target) => !target.met).length)),
       ),
       table(
         "searches",
@@ -228,13 +230,13 @@ export function designing(
           "outcome",
           "",
         ],
-        result.starts.map((one) => [
-          String(one.start),
-          one.met ? tr("met") : tr("missed"),
-          written(one.cost, 3),
-          written(one.travelled, 2),
-          tr(one.ended),
-          other(one.start, one.numbers),
+        result.starts.map((start) => [
+          String(start.start),
+          start.met ? tr("met") : tr("missed"),
+          written(start.cost, 3),
+          written(start.travelled, 2),
+          tr(start.ended),
+          other(start.start, start.numbers),
         ]),
         [2, 3],
       ),
@@ -251,7 +253,7 @@ export function designing(
         "p",
         { class: "bar" },
         button,
-        make("a", { href: found.report, target: "_blank" }, tr("Report")),
+        make("a", { href: outcome.report, target: "_blank" }, tr("Report")),
       ),
     );
   }

@@ -24,8 +24,8 @@ const open = new Set<Drafts<object>>();
 
 function read(key: string): Draft | null {
   try {
-    const found = JSON.parse(lasting?.getItem(key) ?? "null") as Draft | null;
-    return found && typeof found.state === "object" && found.state ? found : null;
+    const draft = JSON.parse(lasting?.getItem(key) ?? "null") as Draft | null;
+    return draft && typeof draft.state === "object" && draft.state ? draft : null;
   } catch {
     return null;
   }
@@ -37,7 +37,7 @@ function lying(begins: string): Lying[] {
   return keys
     .map((key) => ({ key, page: key.split("\n")[2] ?? "", at: read(key)?.at ?? 0 }))
     .filter(({ at }) => at)
-    .sort((one, other) => other.at - one.at);
+    .sort((first, other) => other.at - first.at);
 }
 
 export const draftsOf = (folder: string): Lying[] => lying(prefix(folder));
@@ -93,8 +93,8 @@ export class Drafts<T extends object> {
 
   /** Hears of everything that is entered below an element. */
   hear(root: HTMLElement): void {
-    for (const one of ["input", "change", "click"])
-      root.addEventListener(one, () => this.changed());
+    for (const text of ["input", "change", "click"])
+      root.addEventListener(text, () => this.changed());
   }
 
   /** Something may have changed: it is kept once nobody types any more. */
@@ -163,9 +163,9 @@ export class Drafts<T extends object> {
         return !isSaved;
       });
     const button = (words: string, about: string, does: () => Promise<void> | void) => {
-      const one = make("button", { type: "button", "aria-describedby": about }, tr(words));
-      one.addEventListener("click", () => void does());
-      return one;
+      const button = make("button", { type: "button", "aria-describedby": about }, tr(words));
+      button.addEventListener("click", () => void does());
+      return button;
     };
     this.element.hidden = !found.length && !said;
     this.element.replaceChildren(
@@ -213,7 +213,7 @@ export class Drafts<T extends object> {
 /** Whether the page may be left: all that is entered is kept, or whoever leaves it wants to lose it. */
 export function mayLeave(): boolean {
   (document.activeElement as HTMLElement | null)?.blur(); // what is typed there counts
-  const lost = [...open].filter((one) => !one.keep() && !one.isKept);
+  const lost = [...open].filter((draft) => !draft.keep() && !draft.isKept);
   return (
     !lost.length ||
     confirm(
@@ -225,10 +225,10 @@ export function mayLeave(): boolean {
 }
 
 addEventListener("beforeunload", (event) => {
-  if ([...open].filter((one) => !one.keep()).length) event.preventDefault();
+  if ([...open].filter((draft) => !draft.keep()).length) event.preventDefault();
 });
 addEventListener("pagehide", () => {
-  for (const one of open) one.keep();
+  for (const draft of open) draft.keep();
 });
 
 type Controls = Record<string, HTMLInputElement | HTMLSelectElement>;

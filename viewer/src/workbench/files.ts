@@ -11,10 +11,10 @@ import { field, select } from "./parts";
 import { address, OPENS } from "./shell";
 import { table } from "./table";
 
-const SORTS: Record<string, (one: Entry, other: Entry) => number> = {
-  name: (one, other) => one.path.localeCompare(other.path, undefined, { numeric: true }),
-  "newest first": (one, other) => other.modified - one.modified,
-  "largest first": (one, other) => other.size - one.size,
+const SORTS: Record<string, (entry: Entry, other: Entry) => number> = {
+  name: (entry, other) => entry.path.localeCompare(other.path, undefined, { numeric: true }),
+  "newest first": (entry, other) => other.modified - entry.modified,
+  "largest first": (entry, other) => other.size - entry.size,
 };
 const GROUPS: Record<string, (entry: Entry) => string> = {
   kind: ({ kind }) => kind,

@@ -7,7 +7,7 @@ export function fill(element: HTMLElement, ...content: (Node | string)[]): void 
   element.replaceChildren(...content);
   if (!name) return;
   const same = [...element.querySelectorAll<HTMLElement>("button, input, select, a")];
-  (same.find((one) => nameOf(one) === name) ?? same[0])?.focus();
+  (same.find((element) => nameOf(element) === name) ?? same[0])?.focus();
 }
 
 const nameOf = (element: Element | null): string =>

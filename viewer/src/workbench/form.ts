@@ -96,16 +96,18 @@ export class Form {
     this.problems = problems;
     this.element.replaceChildren(...this.rows(schema, values, []));
     const known = new Set(
-      [...this.element.querySelectorAll<HTMLElement>("[data-path]")].map((one) => one.dataset.path),
+      [...this.element.querySelectorAll<HTMLElement>("[data-path]")].map(
+        (element) => element.dataset.path,
+      ),
     );
-    const lost = problems.filter((one) => !known.has(one.path));
+    const lost = problems.filter((problem) => !known.has(problem.path));
     if (lost.length)
       this.element.prepend(
-        ...lost.map((one) =>
+        ...lost.map((problem) =>
           make(
             "p",
             { class: "problem", role: "alert" },
-            `${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`,
+            `${problem.line ? `${tr("line #", String(problem.line))}: ` : ""}${problem.path ? `${problem.path}: ` : ""}${problem.text}`,
           ),
         ),
       );
@@ -127,7 +129,7 @@ export class Form {
     const own = this.resolved(schema),
       inner = own.anyOf ?? own.oneOf;
     return inner
-      ? inner.flatMap((one) => this.choices(one)).filter((one) => one.type !== "null")
+      ? inner.flatMap((schema) => this.choices(schema)).filter((schema) => schema.type !== "null")
       : [own];
   }
 
@@ -179,17 +181,17 @@ export class Form {
   private first(schema: Schema): Value {
     if (schema.default !== undefined && schema.default !== null && !isTable(schema.default))
       return schema.default;
-    const one = this.choices(schema)[0]!;
-    if (one.const !== undefined) return one.const;
-    if (one.enum) return one.enum[0]!;
-    if (one.properties)
+    const first = this.choices(schema)[0]!;
+    if (first.const !== undefined) return first.const;
+    if (first.enum) return first.enum[0]!;
+    if (first.properties)
       return Object.fromEntries(
-        Object.entries(one.properties)
-          .filter(([name, own]) => one.required?.includes(name) || own.const !== undefined)
+        Object.entries(first.properties)
+          .filter(([name, own]) => first.required?.includes(name) || own.const !== undefined)
           .map(([name, own]) => [name, this.first(own)]),
       );
-    if (one.prefixItems) return one.prefixItems.map((item) => this.first(item));
-    return one.type === "array" ? [] : one.type === "boolean" ? false : "?";
+    if (first.prefixItems) return first.prefixItems.map((item) => this.first(item));
+    return first.type === "array" ? [] : first.type === "boolean" ? false : "?";
   }
 
   private field(
@@ -200,7 +202,7 @@ export class Form {
     needed: boolean,
   ): HTMLElement {
     const place = path(keys),
-      problems = this.problems.filter((one) => one.path === place),
+      problems = this.problems.filter((problem) => problem.path === place),
       id = `f-${place}`;
     const label =
       typeof keys[keys.length - 1] === "number" ? String(keys[keys.length - 1]) : key(name);
@@ -209,13 +211,13 @@ export class Form {
           make(
             "span",
             { class: "wrong", role: "alert", id: `${id}-wrong` },
-            problems.map((one) => one.text).join(" "),
+            problems.map((problem) => problem.text).join(" "),
           ),
         ]
       : [];
     const noted = this.notes
-      .filter((one) => one.path === place || one.path.startsWith(`${place}[`))
-      .map((one) => make("span", { class: "noted", role: "status" }, one.text));
+      .filter((note) => note.path === place || note.path.startsWith(`${place}[`))
+      .map((note) => make("span", { class: "noted", role: "status" }, note.text));
     const away = needed
       ? []
       : [
@@ -232,26 +234,27 @@ export class Form {
           ),
         ];
     const choices = this.choices(schema);
-    if (isTable(value) || (value === undefined && choices.some((one) => one.properties))) {
+    if (isTable(value) || (value === undefined && choices.some((choice) => choice.properties))) {
       const details = make("details", {
         "data-path": place,
-        open: this.open.has(place) || this.problems.some((one) => one.path.startsWith(place)),
+        open:
+          this.open.has(place) || this.problems.some((problem) => problem.path.startsWith(place)),
       });
       details.addEventListener("toggle", () => {
         if (details.open) this.open.add(place);
         else this.open.delete(place);
       });
       const table = isTable(value) ? value : {},
-        kinds = choices.filter((one) => one.properties),
+        kinds = choices.filter((choice) => choice.properties),
         kind = this.kindOf(kinds, table);
       const choose = make(
         "select",
         { "aria-label": tr("kind of #", place) },
-        ...kinds.map((one, i) =>
+        ...kinds.map((schema, i) =>
           make(
             "option",
-            { value: String(i), ...(one === kind ? { selected: true } : {}) },
-            key(spoken(one.title ?? "")),
+            { value: String(i), ...(schema === kind ? { selected: true } : {}) },
+            key(spoken(schema.title ?? "")),
           ),
         ),
       );
@@ -274,12 +277,12 @@ export class Form {
       id,
       ...(problems.length ? { "aria-invalid": "true", "aria-describedby": `${id}-wrong` } : {}),
     };
-    if (Array.isArray(value) && value.every((one) => typeof one !== "object")) {
-      const items = choices.find((one) => one.prefixItems)?.prefixItems;
+    if (Array.isArray(value) && value.every((item) => typeof item !== "object")) {
+      const items = choices.find((choice) => choice.prefixItems)?.prefixItems;
       if (items && items.length === value.length) {
-        const wrong = this.problems.filter((one) => one.path.startsWith(`${place}[`));
-        const inputs = value.map((one, i) =>
-          this.typed(String(one), items[i]!, [...keys, i], {
+        const wrong = this.problems.filter((problem) => problem.path.startsWith(`${place}[`));
+        const inputs = value.map((item, i) =>
+          this.typed(String(item), items[i]!, [...keys, i], {
             "aria-label": `${place}[${i}]`,
             ...(wrong.some((own) => own.path === `${place}[${i}]`)
               ? { "aria-invalid": "true" }
@@ -297,21 +300,21 @@ export class Form {
           ),
           ...away,
           ...said,
-          ...wrong.map((one) =>
-            make("span", { class: "wrong", role: "alert" }, `${one.path}: ${one.text}`),
+          ...wrong.map((problem) =>
+            make("span", { class: "wrong", role: "alert" }, `${problem.path}: ${problem.text}`),
           ),
           ...noted,
         );
       }
     }
     let control: HTMLElement;
-    const fixed = choices.find((one) => one.enum);
+    const fixed = choices.find((choice) => choice.enum);
     if (fixed?.enum && typeof value === "string") {
       const select = make(
         "select",
         attributes,
-        ...[...new Set([value, ...fixed.enum])].map((one) =>
-          make("option", { value: one, ...(one === value ? { selected: true } : {}) }, one),
+        ...[...new Set([value, ...fixed.enum])].map((text) =>
+          make("option", { value: text, ...(text === value ? { selected: true } : {}) }, text),
         ),
       );
       select.addEventListener("change", () => this.changed(keys, select.value));
@@ -334,7 +337,8 @@ export class Form {
         attributes,
         typeof value === "object",
       );
-    const allowed = schema.description ?? choices.find((one) => one.description)?.description ?? "";
+    const allowed =
+      schema.description ?? choices.find((choice) => choice.description)?.description ?? "";
     return make(
       "div",
       { class: "row", "data-path": place },
@@ -369,7 +373,7 @@ export class Form {
     isList = false,
   ): HTMLInputElement {
     const input = make("input", { type: "text", spellcheck: "false", value, ...attributes });
-    const types = this.choices(schema).map((one) => one.type);
+    const types = this.choices(schema).map((choice) => choice.type);
     input.addEventListener("change", () => {
       const text = fromField(input.value.trim());
       if (isList) {
@@ -383,7 +387,7 @@ export class Form {
           keys,
           text !== "" &&
             !Number.isNaN(Number(text)) &&
-            types.some((one) => one === "number" || one === "integer")
+            types.some((type) => type === "number" || type === "integer")
             ? Number(text)
             : text,
         );
@@ -394,13 +398,13 @@ export class Form {
   /** Which of several kinds a table is: the one that says so, or that knows most of its keys. */
   private kindOf(kinds: Schema[], table: { [key: string]: Value }): Schema | undefined {
     const named = kinds.find(
-      (one) =>
-        one.properties?.kind?.const !== undefined && one.properties.kind.const === table.kind,
+      (kind) =>
+        kind.properties?.kind?.const !== undefined && kind.properties.kind.const === table.kind,
     );
-    const fit = (one: Schema) =>
-      Object.keys(table).filter((name) => name in one.properties!).length -
-      Object.keys(table).filter((name) => !(name in one.properties!)).length -
-      (one.required ?? []).filter((name) => !(name in table)).length;
+    const fit = (schema: Schema) =>
+      Object.keys(table).filter((name) => name in schema.properties!).length -
+      Object.keys(table).filter((name) => !(name in schema.properties!)).length -
+      (schema.required ?? []).filter((name) => !(name in table)).length;
     return named ?? [...kinds].sort((a, b) => fit(b) - fit(a))[0];
   }
 

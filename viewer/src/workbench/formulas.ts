@@ -67,7 +67,7 @@ export class FormulaList {
     const { formulas } = this.laid.layout;
     fill(
       this.list,
-      ...formulas.map((one, k) => {
+      ...formulas.map((formula, k) => {
         const box = (
           key: "name" | "formula" | "unit",
           label: string,
@@ -76,26 +76,26 @@ export class FormulaList {
           const input = make("input", {
             type: "text",
             class: key,
-            value: one[key],
+            value: formula[key],
             placeholder,
             spellcheck: "false",
             "aria-label": tr(label, String(k + 1)),
           });
           input.addEventListener("change", () => {
-            this.rename(key, one.name, input.value.trim());
-            one[key] = input.value.trim();
+            this.rename(key, formula.name, input.value.trim());
+            formula[key] = input.value.trim();
             this.laid.changed();
           });
           return input;
         };
         const remove = make(
           "button",
-          { type: "button", class: "small", "aria-label": tr("remove #", one.name) },
+          { type: "button", class: "small", "aria-label": tr("remove #", formula.name) },
           "×",
         );
         remove.addEventListener("click", () => {
           formulas.splice(k, 1);
-          this.rename("name", one.name, "");
+          this.rename("name", formula.name, "");
           this.laid.changed();
         });
         return make(
@@ -107,10 +107,10 @@ export class FormulaList {
             box("name", "name of formula #", tr("name")),
             "=",
             box("formula", "formula #", "derivative(damper.displacement)"),
-            box("unit", "unit of formula #", this.unit(one.name) || tr("SI unit")),
+            box("unit", "unit of formula #", this.unit(formula.name) || tr("SI unit")),
             remove,
           ),
-          ...this.states(one.name),
+          ...this.states(formula.name),
         );
       }),
     );
@@ -124,7 +124,7 @@ export class FormulaList {
 
   private unit(name: string): string {
     for (const { formulas } of this.laid.tracks) {
-      const state = formulas.find((one) => one.name === name);
+      const state = formulas.find((formula) => formula.name === name);
       if (state?.unit) return state.unit;
     }
     return "";
@@ -153,7 +153,9 @@ export class FormulaList {
     const { layout } = this.laid;
     layout.graphs = layout.graphs
       .map(({ channels }) => ({
-        channels: channels.flatMap((one) => (one !== before ? [one] : now ? [now] : [])),
+        channels: channels.flatMap((channel) =>
+          channel !== before ? [channel] : now ? [now] : [],
+        ),
       }))
       .filter(({ channels }) => channels.length);
   }
@@ -181,8 +183,8 @@ export class FormulaList {
   private async take(): Promise<void> {
     const layout = await this.read(this.other.value),
       { formulas } = this.laid.layout;
-    for (const one of layout?.formulas ?? [])
-      if (!formulas.some(({ name }) => name === one.name)) formulas.push(one);
+    for (const formula of layout?.formulas ?? [])
+      if (!formulas.some(({ name }) => name === formula.name)) formulas.push(formula);
     this.laid.changed();
   }
 }

@@ -36,8 +36,8 @@ const plain = (files: Iterable<File>): Given[] =>
 
 /** Everything in a drop: files, and those in folders. */
 async function within(transfer: DataTransfer): Promise<Given[]> {
-  const entries = [...transfer.items].map((one) => one.webkitGetAsEntry?.() ?? null);
-  if (!entries.some((one) => one?.isDirectory)) return plain(transfer.files);
+  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry?.() ?? null);
+  if (!entries.some((entry) => entry?.isDirectory)) return plain(transfer.files);
   const files: Given[] = [];
   const walk = async (entry: FileSystemEntry): Promise<void> => {
     if (files.length >= MOST_FILES || entry.name.startsWith(".")) return;
@@ -54,7 +54,7 @@ async function within(transfer: DataTransfer): Promise<Given[]> {
         reader.readEntries(done, failed),
       ); // a browser gives a hundred at a time
       if (!some.length) return;
-      for (const one of some) await walk(one);
+      for (const entry of some) await walk(entry);
     }
   };
   for (const entry of entries) if (entry) await walk(entry);

@@ -86,7 +86,7 @@ function open(): void {
   socket.addEventListener("message", (event) => take(JSON.parse(event.data as string) as Job[]));
   socket.addEventListener("close", async () => {
     socket = null;
-    if (![...listeners.values()].some((one) => one.node.isConnected)) {
+    if (![...listeners.values()].some((listener) => listener.node.isConnected)) {
       listeners.clear();
       return;
     }
@@ -125,7 +125,7 @@ const ends = new Set<string>(); // jobs that were seen running
 /** Tells of every job that ends from now on, on whichever page, until none runs. */
 function tellEnds(jobs: Job[]): void {
   for (const job of jobs) if (runs(job)) ends.add(job.id);
-  if (!ends.size || [...listeners.values()].some((one) => one.isOfEnds)) return;
+  if (!ends.size || [...listeners.values()].some((listener) => listener.isOfEnds)) return;
   const listener: Listener = (jobs) => {
     for (const job of jobs) {
       if (runs(job)) ends.add(job.id);
@@ -348,7 +348,7 @@ export async function accompany<T>(
   };
   await take(first);
   follow(place, (jobs) => {
-    const job = jobs.find((one) => one.id === first.id);
+    const job = jobs.find((job) => job.id === first.id);
     if (job) take(job).catch((error) => place.append(problem(error)));
   });
 }
@@ -372,7 +372,7 @@ export function jobList(
     const elements = own.map((job) => cards.get(job.id)!.element);
     if (!elements.length) place.replaceChildren(make("p", { class: "empty" }, none));
     else if (
-      elements.some((one, k) => place.children[k] !== one) ||
+      elements.some((element, k) => place.children[k] !== element) ||
       place.children.length !== elements.length
     )
       place.replaceChildren(...elements);
@@ -384,8 +384,8 @@ export function jobList(
 export function failures(result: unknown): HTMLElement[] {
   const findings = (result as { findings?: Finding[] } | null)?.findings ?? [];
   return findings
-    .filter((one) => one.severity === "problem")
-    .map((one) => problem(new Refused(one.message, one.german)));
+    .filter((finding) => finding.severity === "problem")
+    .map((finding) => problem(new Refused(finding.message, finding.german)));
 }
 
 /** A report in a frame of its own, where its script can ask nothing; German pages say which is English. */

@@ -108,10 +108,10 @@ export class Multiples {
       this.filter(this.wanted);
     }
     panes.forEach((pane, k) => {
-      const one = this.plots[k]!;
-      one.lines = pane.curves.map(({ role, label, y }) => ({ role, label, y: store.get(y) }));
-      one.band = bands.find((band) => band.quantity === pane.name) ?? null;
-      one.box.classList.toggle("wanted", one.band !== null);
+      const plot = this.plots[k]!;
+      plot.lines = pane.curves.map(({ role, label, y }) => ({ role, label, y: store.get(y) }));
+      plot.band = bands.find((band) => band.quantity === pane.name) ?? null;
+      plot.box.classList.toggle("wanted", plot.band !== null);
     });
     this.order();
     if (!this.width) this.sized();
@@ -130,10 +130,10 @@ export class Multiples {
   /** Puts the curves in their order, unless they are. */
   private order(): void {
     const boxes = this.ordered().map((one) => one.box);
-    for (const one of this.plots)
-      one.box
+    for (const plot of this.plots)
+      plot.box
         .querySelector(".pin")!
-        .setAttribute("aria-pressed", String(Number.isFinite(offer.rank(one.name))));
+        .setAttribute("aria-pressed", String(Number.isFinite(offer.rank(plot.name))));
     if (boxes.some((box, k) => this.element.children[k] !== box))
       this.element.replaceChildren(...boxes);
   }
@@ -142,7 +142,7 @@ export class Multiples {
   filter(text: string): void {
     this.wanted = text;
     const isWanted = seeker(text);
-    for (const one of this.plots) one.box.hidden = !isWanted(one.box.dataset.words!);
+    for (const plot of this.plots) plot.box.hidden = !isWanted(plot.box.dataset.words!);
     this.draw();
   }
 
@@ -152,11 +152,11 @@ export class Multiples {
     const [first, last] = this.ends(),
       share = last > first ? (x - first) / (last - first) : 0;
     const left = LEFT + Math.min(Math.max(share, 0), 1) * (this.width - LEFT - RIGHT);
-    for (const one of this.plots) {
-      if (one.box.hidden) continue;
-      one.mark.style.transform = `translateX(${left}px)`;
-      const line = one.lines[0];
-      one.value.textContent = line ? written(at(this.x, line.y, x), 4) : "–";
+    for (const plot of this.plots) {
+      if (plot.box.hidden) continue;
+      plot.mark.style.transform = `translateX(${left}px)`;
+      const line = plot.lines[0];
+      plot.value.textContent = line ? written(at(this.x, line.y, x), 4) : "–";
     }
   }
 
@@ -196,7 +196,7 @@ export class Multiples {
   }
 
   private sized(): void {
-    const first = this.plots.find((one) => !one.box.hidden);
+    const first = this.plots.find((plot) => !plot.box.hidden);
     const width = first ? Math.floor(first.box.clientWidth) : 0;
     if (width < 60) return;
     this.width = width;
@@ -212,11 +212,11 @@ export class Multiples {
 
   private draw(): void {
     if (!this.width) return;
-    for (const one of this.plots) if (!one.box.hidden) this.drawn(one);
+    for (const plot of this.plots) if (!plot.box.hidden) this.drawn(plot);
   }
 
-  private drawn(one: One): void {
-    const context = one.canvas.getContext("2d")!,
+  private drawn(panel: One): void {
+    const context = panel.canvas.getContext("2d")!,
       { x, width } = this;
     const [first, last] = this.ends();
     let low = Infinity,
@@ -227,9 +227,9 @@ export class Multiples {
         if (value > high) high = value;
       }
     };
-    for (const { y } of one.lines) for (let i = 0; i < y.length; i++) take(y[i] as number | null);
-    one.band?.low.forEach(take);
-    one.band?.high.forEach(take);
+    for (const { y } of panel.lines) for (let i = 0; i < y.length; i++) take(y[i] as number | null);
+    panel.band?.low.forEach(take);
+    panel.band?.high.forEach(take);
     if (!(high >= low)) [low, high] = [-1, 1];
     const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high)) || 1e-9; // what is even to rounding is drawn as even
     const room = high - low > least ? 0.08 * (high - low) : 0.1 * Math.abs(high) || 1;
@@ -262,9 +262,9 @@ export class Multiples {
         HEIGHT - BOTTOM + 12,
       );
     context.fillText(this.xLabel, (LEFT + width - RIGHT) / 2, HEIGHT - 4, width - LEFT - RIGHT);
-    if (one.band) this.band(context, one, toX, toY, low, high);
-    else one.verdict.textContent = "";
-    for (const { role, y } of drawingOrder(one.lines)) {
+    if (panel.band) this.band(context, panel, toX, toY, low, high);
+    else panel.verdict.textContent = "";
+    for (const { role, y } of drawingOrder(panel.lines)) {
       const { width: thick, dash } = lineStyle(role);
       context.strokeStyle = this.ink(role);
       context.lineWidth = thick;
@@ -289,13 +289,13 @@ export class Multiples {
   /** What is wanted, within its tolerance, and whether the first curve keeps to it. */
   private band(
     context: CanvasRenderingContext2D,
-    one: One,
+    panel: One,
     toX: (x: number) => number,
     toY: (y: number) => number,
     low: number,
     high: number,
   ): void {
-    const band = one.band!,
+    const band = panel.band!,
       wide = band.at.length > 1 ? 0 : 4;
     context.fillStyle = this.ink("span");
     context.strokeStyle = this.ink("other-1");
@@ -315,13 +315,13 @@ export class Multiples {
     }
     context.fill();
     context.stroke();
-    const y = one.lines[0]?.y,
+    const y = panel.lines[0]?.y,
       [first, last] = this.ends(),
       step = 1e-9 * (last - first);
     if (band.at.some((place) => place < first - step || place > last + step)) {
-      one.verdict.textContent = " ?";
-      one.verdict.className = "verdict";
-      one.verdict.title = tr("the sweep does not reach this target");
+      panel.verdict.textContent = " ?";
+      panel.verdict.className = "verdict";
+      panel.verdict.title = tr("the sweep does not reach this target");
       return;
     }
     const isMet =
@@ -332,9 +332,9 @@ export class Multiples {
           value >= (band.low[i] ?? -Infinity) - 1e-9 && value <= (band.high[i] ?? Infinity) + 1e-9
         );
       });
-    one.verdict.textContent = isMet ? " ✓" : " ✗";
-    one.verdict.className = `verdict ${isMet ? "good" : "missed"}`;
-    one.verdict.title = tr(isMet ? "within the tolerance" : "outside the tolerance");
+    panel.verdict.textContent = isMet ? " ✓" : " ✗";
+    panel.verdict.className = `verdict ${isMet ? "good" : "missed"}`;
+    panel.verdict.title = tr(isMet ? "within the tolerance" : "outside the tolerance");
   }
 }
 
@@ -342,10 +342,10 @@ export class Multiples {
 export function ticks(low: number, high: number, count: number): number[] {
   const raw = (high - low) / count,
     power = 10 ** Math.floor(Math.log10(raw)),
-    step = [1, 2, 5, 10].map((one) => one * power).find((one) => one >= raw)!;
-  const found: number[] = [];
-  for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; k++) found.push(k * step);
-  return found.length < 2 && count < 6 ? ticks(low, high, count + 1) : found; // one alone says nothing of how far
+    step = [1, 2, 5, 10].map((value) => value * power).find((value) => value >= raw)!;
+  const indices: number[] = [];
+  for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; k++) indices.push(k * step);
+  return indices.length < 2 && count < 6 ? ticks(low, high, count + 1) : indices; // one alone says nothing of how far
 }
 
 export function short(value: number): string {

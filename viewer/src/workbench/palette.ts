@@ -37,34 +37,41 @@ function onThisPage(): Goal[] {
   const seen = (element: HTMLElement) => element.offsetParent !== null;
   const of = (selector: string) => [...main.querySelectorAll<HTMLElement>(selector)].filter(seen);
   const goals = (selector: string, where: string, does: (element: HTMLElement) => void): Goal[] =>
-    of(selector).map((one) => ({ words: words(one), where: tr(where), go: () => does(one) }));
+    of(selector).map((element) => ({
+      words: words(element),
+      where: tr(where),
+      go: () => does(element),
+    }));
   return [
     ...goals("h2, h3", "on this page", show),
-    ...goals(".multiples figure b, .pane-head b", "curve", (one) => {
-      const whole = one.closest<HTMLElement>("figure, .pane-head")!;
+    ...goals(".multiples figure b, .pane-head b", "curve", (element) => {
+      const whole = element.closest<HTMLElement>("figure, .pane-head")!;
       show(whole);
       whole.querySelector<HTMLElement>(".enlarge")?.focus({ preventScroll: true });
     }),
-    ...[...main.querySelectorAll<HTMLElement>("[data-channel][aria-pressed=false]")].map((one) => ({
-      words: [words(one), one.title].filter(Boolean).join(", "),
-      where: tr("show the curve"),
-      go: () => one.click(), // also of those behind a button
-    })),
-    ...of(".field > :is(input, select), .slider input[type=number]").map((one) => ({
+    ...[...main.querySelectorAll<HTMLElement>("[data-channel][aria-pressed=false]")].map(
+      (element) => ({
+        words: [words(element), element.title].filter(Boolean).join(", "),
+        where: tr("show the curve"),
+        go: () => element.click(), // also of those behind a button
+      }),
+    ),
+    ...of(".field > :is(input, select), .slider input[type=number]").map((element) => ({
       words:
-        one.getAttribute("aria-label") ?? words(one.closest(".field")!.firstElementChild ?? one),
+        element.getAttribute("aria-label") ??
+        words(element.closest(".field")!.firstElementChild ?? element),
       where: tr("quantity"),
       go: () => {
-        show(one);
-        one.focus({ preventScroll: true });
+        show(element);
+        element.focus({ preventScroll: true });
       },
     })),
     ...of("button:not(:disabled, [data-channel])")
-      .filter((one) => words(one).length > 2 && !one.closest("details:not([open])"))
-      .map((one) => ({
-        words: one.getAttribute("aria-label") ?? words(one),
+      .filter((element) => words(element).length > 2 && !element.closest("details:not([open])"))
+      .map((element) => ({
+        words: element.getAttribute("aria-label") ?? words(element),
         where: tr("action"),
-        go: () => one.click(),
+        go: () => element.click(),
       })),
   ];
 }
@@ -86,18 +93,18 @@ async function everywhere(pages: Record<string, string>): Promise<Goal[]> {
           go: open(page, { [key]: entry.path }),
         })),
     ),
-    ...library.flatMap((one) => [
+    ...library.flatMap((shipped) => [
       {
-        words: `${one.name}: ${tr("drive")}`,
-        where: `${tr("shipped with jounce")}, ${kindOf(one)}`,
-        go: open("trial", { rig: one.name }),
+        words: `${shipped.name}: ${tr("drive")}`,
+        where: `${tr("shipped with jounce")}, ${kindOf(shipped)}`,
+        go: open("trial", { rig: shipped.name }),
       },
-      ...(one.has_hardpoints
+      ...(shipped.has_hardpoints
         ? [
             {
-              words: `${one.name}: ${tr("kinematics")}`,
-              where: `${tr("shipped with jounce")}, ${kindOf(one)}`,
-              go: open("kinematics", { rig: one.name }),
+              words: `${shipped.name}: ${tr("kinematics")}`,
+              where: `${tr("shipped with jounce")}, ${kindOf(shipped)}`,
+              go: open("kinematics", { rig: shipped.name }),
             },
           ]
         : []),
@@ -139,9 +146,9 @@ async function search(pages: Record<string, string>): Promise<void> {
     goal.go();
   };
   const mark = () => {
-    [...list.children].forEach((one, k) => {
-      one.setAttribute("aria-selected", String(k === at));
-      if (k === at) one.scrollIntoView({ block: "nearest" });
+    [...list.children].forEach((child, k) => {
+      child.setAttribute("aria-selected", String(k === at));
+      if (k === at) child.scrollIntoView({ block: "nearest" });
     });
     field.setAttribute("aria-activedescendant", found.length ? `palette-${at}` : "");
   };

@@ -216,8 +216,8 @@ export class Steps<T> {
     this.now = JSON.stringify(state());
     this.undo.addEventListener("click", () => this.back());
     this.redo.addEventListener("click", () => this.forth());
-    for (const one of ["input", "change", "click", "pointerup"])
-      root.addEventListener(one, () => this.changed());
+    for (const text of ["input", "change", "click", "pointerup"])
+      root.addEventListener(text, () => this.changed());
     root.addEventListener("keydown", (event) => {
       const isTyped =
         event.target instanceof HTMLInputElement &&
@@ -296,31 +296,31 @@ export class Sliders {
     given: Record<string, number> = {},
   ) {
     const known = this.known;
-    for (const one of rig.numbers) known.set(one.path, one);
+    for (const parameter of rig.numbers) known.set(parameter.path, parameter);
     const choice = make(
       "select",
       { "aria-label": tr("another parameter") },
       make("option", { value: "" }, tr("another parameter …")),
     );
-    const changed = rig.numbers.filter((one) => !one.is_constant);
+    const changed = rig.numbers.filter((parameter) => !parameter.is_constant);
     for (const [label, isChosen] of [
       [tr("springs, dampers, hardpoints"), true],
       [tr("masses, tyres and sizes"), false],
     ] as const) {
-      const own = changed.filter((one) => one.is_chosen === isChosen);
+      const own = changed.filter((number) => number.is_chosen === isChosen);
       if (own.length)
         choice.append(
           make("optgroup", { label }, ...own.map(({ path }) => make("option", {}, path))),
         );
     }
     choice.addEventListener("change", () => {
-      const one = known.get(choice.value);
-      if (one) this.add(one);
+      const number = known.get(choice.value);
+      if (number) this.add(number);
       choice.value = "";
     });
     for (const path of first) {
-      const one = known.get(path);
-      if (one) this.add(one);
+      const number = known.get(path);
+      if (number) this.add(number);
     }
     for (const [path, value] of Object.entries(given))
       if (Number.isFinite(value)) this.take(path, value);
@@ -335,27 +335,27 @@ export class Sliders {
   /** Puts all numbers back to what the rig says. */
   reset(): void {
     for (const path of Object.keys(this.changes)) delete this.changes[path];
-    this.rows.querySelectorAll<HTMLInputElement>("input").forEach((one) => {
-      one.value = one.defaultValue;
+    this.rows.querySelectorAll<HTMLInputElement>("input").forEach((element) => {
+      element.value = element.defaultValue;
     });
   }
 
   /** Takes a number that was changed elsewhere (SI), and shows its slider. */
   take(path: string, value: number): void {
-    const one = this.known.get(path);
-    if (one) {
-      this.add(one);
+    const number = this.known.get(path);
+    if (number) {
+      this.add(number);
       this.set(path, value);
     }
   }
 
   /** Takes a number that was changed elsewhere (SI). */
   set(path: string, value: number): void {
-    const one = this.known.get(path);
-    if (!one) return;
-    const shown = Number((value * one.factor).toPrecision(7)),
+    const number = this.known.get(path);
+    if (!number) return;
+    const shown = Number((value * number.factor).toPrecision(7)),
       row = this.rows.querySelector(`[data-path="${CSS.escape(path)}"]`);
-    if (Math.abs(value - one.value) <= 1e-12 * Math.max(Math.abs(value), 1))
+    if (Math.abs(value - number.value) <= 1e-12 * Math.max(Math.abs(value), 1))
       delete this.changes[path];
     else this.changes[path] = value;
     row?.querySelectorAll("input").forEach((input) => {
@@ -363,12 +363,12 @@ export class Sliders {
     });
   }
 
-  private add(one: RigNumber): void {
-    if (this.rows.querySelector(`[data-path="${CSS.escape(one.path)}"]`)) return;
-    const shown = one.value * one.factor,
+  private add(parameter: RigNumber): void {
+    if (this.rows.querySelector(`[data-path="${CSS.escape(parameter.path)}"]`)) return;
+    const shown = parameter.value * parameter.factor,
       reach = 0.5 * Math.abs(shown) || 1;
     const text = String(Number(shown.toPrecision(6)));
-    const name = `${one.path} [${one.unit || "–"}]`;
+    const name = `${parameter.path} [${parameter.unit || "–"}]`;
     const slider = make("input", {
       type: "range",
       min: String(shown - reach),
@@ -386,8 +386,8 @@ export class Sliders {
     const take = (value: string) => {
       const wanted = Number(value);
       if (value === "" || !Number.isFinite(wanted)) return;
-      if (value === text) delete this.changes[one.path];
-      else this.changes[one.path] = wanted / one.factor;
+      if (value === text) delete this.changes[parameter.path];
+      else this.changes[parameter.path] = wanted / parameter.factor;
       this.moved();
     };
     slider.addEventListener("input", () => {
@@ -401,11 +401,11 @@ export class Sliders {
     this.rows.append(
       make(
         "div",
-        { class: "slider", "data-path": one.path },
-        make("span", { class: "name" }, one.path),
+        { class: "slider", "data-path": parameter.path },
+        make("span", { class: "name" }, parameter.path),
         slider,
         number,
-        make("span", { class: "unit" }, one.unit),
+        make("span", { class: "unit" }, parameter.unit),
       ),
     );
   }

@@ -48,14 +48,14 @@ export function pastePoints(
       spellcheck: "false",
       placeholder: "point\tx [mm]\ty [mm]\tz [mm]",
     }),
-    unit = select(["", "mm", "m", "cm", "inch"], "", (one) => one || tr("as in the table")),
+    unit = select(["", "mm", "m", "cm", "inch"], "", (text) => text || tr("as in the table")),
     axes = make(
       "select",
       {},
       ...AXES.map(([value, words]) => make("option", { value }, tr(words))),
     ),
     side = select(["left", "right"], "left", tr),
-    axle = select(["", "front", "rear"], "", (one) => tr(one || "the only one")),
+    axle = select(["", "front", "rear"], "", (text) => tr(text || "the only one")),
     preview = make("div", { "aria-live": "polite" }),
     read = make("button", { type: "button" }, tr("Compare with the rig"));
   const names: Record<string, string> = {};
@@ -76,8 +76,8 @@ export function pastePoints(
         axle: axle.value,
         names,
       });
-      const found = (await answer.json()) as Pasted;
-      if (own === turn) preview.replaceChildren(...shown(found));
+      const pasted = (await answer.json()) as Pasted;
+      if (own === turn) preview.replaceChildren(...shown(pasted));
     } catch (error) {
       if (own === turn) preview.replaceChildren(problem(error), ...forgotten());
     }
@@ -94,52 +94,52 @@ export function pastePoints(
   };
   const place = (at: number[]) =>
     at.map((value) => localised(String(Number((MM * value).toFixed(4))))).join("  ");
-  const shown = (found: Pasted): HTMLElement[] => {
-    const count = new Set(Object.keys(found.changes).map((path) => path.split("[")[0])).size;
+  const shown = (pasted: Pasted): HTMLElement[] => {
+    const count = new Set(Object.keys(pasted.changes).map((path) => path.split("[")[0])).size;
     const go = make(
       "button",
       { type: "button", class: "main", disabled: !count },
       tr("Take # changed points", String(count)),
     );
     go.addEventListener("click", () => {
-      take(found.changes);
+      take(pasted.changes);
       preview.replaceChildren(
         make("p", { class: "good" }, tr("# points taken. Undo reverses this.", String(count))),
       );
     });
-    const known = AXES.find(([value]) => value === found.axes)?.[1];
+    const known = AXES.find(([value]) => value === pasted.axes)?.[1];
     return [
       make(
         "p",
         {},
         tr(
-          found.is_unit_stated ? "Unit: #." : "Unit: #, since the points then fit best.",
-          found.unit,
+          pasted.is_unit_stated ? "Unit: #." : "Unit: #, since the points then fit best.",
+          pasted.unit,
         ),
         " ",
-        tr("Axes: #.", known ? tr(known) : found.axes),
-        ...(found.is_mirrored ? [" ", tr("The right corner was mirrored.")] : []),
+        tr("Axes: #.", known ? tr(known) : pasted.axes),
+        ...(pasted.is_mirrored ? [" ", tr("The right corner was mirrored.")] : []),
       ),
       table(
         "hardpoints",
         ["hardpoint", "in the table", "before [mm]", "after [mm]", "moves by [mm]"],
-        found.points.map((one) => [
-          part(one.name),
-          one.theirs,
-          place(one.before),
-          place(one.after),
-          one.distance > FAR
-            ? make("span", { class: "mark fair" }, written(MM * one.distance, 4))
-            : written(MM * one.distance, 4),
+        pasted.points.map((point) => [
+          part(point.name),
+          point.theirs,
+          place(point.before),
+          place(point.after),
+          point.distance > FAR
+            ? make("span", { class: "mark fair" }, written(MM * point.distance, 4))
+            : written(MM * point.distance, 4),
         ]),
         [2, 3, 4],
       ),
-      ...Object.entries(found.unknown).map(([theirs, where]) => {
+      ...Object.entries(pasted.unknown).map(([theirs, where]) => {
         const choice = make(
           "select",
           {},
           make("option", { value: "" }, tr("leave it out")),
-          ...[...found.absent].map((name) => make("option", { value: name }, part(name))),
+          ...[...pasted.absent].map((name) => make("option", { value: name }, part(name))),
         );
         choice.addEventListener("change", () => {
           if (choice.value) names[theirs] = choice.value;
@@ -151,23 +151,24 @@ export function pastePoints(
           choice,
         );
       }),
-      ...(found.absent.length
+      ...(pasted.absent.length
         ? [
             make(
               "p",
               { class: "muted" },
-              tr("Not in the table, so unchanged: #", found.absent.map(part).join(", ")),
+              tr("Not in the table, so unchanged: #", pasted.absent.map(part).join(", ")),
             ),
           ]
         : []),
       ...advised(
-        found.findings.filter((one) => one.severity !== "note"),
+        pasted.findings.filter((finding) => finding.severity !== "note"),
         "p",
       ),
       make("p", { class: "bar" }, go, ...forgotten()),
     ];
   };
-  for (const one of [unit, axes, side, axle]) one.addEventListener("change", () => void ask());
+  for (const select of [unit, axes, side, axle])
+    select.addEventListener("change", () => void ask());
   read.addEventListener("click", () => void once(read, ask()));
   area.addEventListener("paste", () => setTimeout(() => void ask()));
   const fold = make(
@@ -226,7 +227,7 @@ function fold(
     }
     if (own === turn) preview.replaceChildren(...shown);
   };
-  for (const one of fields) one.addEventListener("change", () => void show());
+  for (const field of fields) field.addEventListener("change", () => void show());
   read.addEventListener("click", () => void once(read, show()));
   area.addEventListener("paste", () => setTimeout(() => void show()));
   for (const kind of ["input", "change"])
@@ -236,7 +237,12 @@ function fold(
     { class: "pasting" },
     make("summary", {}, tr(title)),
     field(tr(label), area),
-    make("div", { class: "form" }, ...fields.map((one, k) => field(tr(labels[k]!), one)), read),
+    make(
+      "div",
+      { class: "form" },
+      ...fields.map((select, k) => field(tr(labels[k]!), select)),
+      read,
+    ),
     preview,
   );
 }
@@ -284,7 +290,7 @@ export function pasteCurve(
   take: (over: number[], force: number[]) => void,
 ): HTMLDetailsElement {
   const lengths = over === "deflection" ? ["mm", "m", "cm", "inch"] : ["m/s", "mm/s", "inch/s"];
-  const stated = (one: string) => one || tr("as in the table");
+  const stated = (text: string) => text || tr("as in the table");
   const unit = select(["", ...lengths], "", stated),
     force = select(["", "N", "kN", "kgf", "lbf"], "", stated),
     turned = make(
@@ -312,23 +318,23 @@ export function pasteCurve(
         turned: turned.value,
         before,
       });
-      const found = (await answer.json()) as PastedCurve;
+      const curve = (await answer.json()) as PastedCurve;
       const go = make(
         "button",
         { type: "button", class: "main" },
-        tr("Take # rows", String(found.over.length)),
+        tr("Take # rows", String(curve.over.length)),
       );
-      go.addEventListener("click", () => take(found.over, found.force));
+      go.addEventListener("click", () => take(curve.over, curve.force));
       return [
         make(
           "p",
           {},
           tr(
-            found.is_unit_stated ? "Units: #." : "Units: #, the usual ones for such numbers.",
-            found.units.join(", "),
+            curve.is_unit_stated ? "Units: #." : "Units: #, the usual ones for such numbers.",
+            curve.units.join(", "),
           ),
         ),
-        curves(found.before, [found.over, found.force]),
+        curves(curve.before, [curve.over, curve.force]),
         make("p", { class: "bar" }, go),
       ];
     },
@@ -361,15 +367,15 @@ export function pasteTrials(
     [],
     [],
     async (text) => {
-      const found = (await send({ table: text })) as PastedTrials;
+      const trials = (await send({ table: text })) as PastedTrials;
       const go = make(
           "button",
-          { type: "button", class: "main", disabled: !found.changes.length },
-          tr("Write # changes into the campaign", String(found.changes.length)),
+          { type: "button", class: "main", disabled: !trials.changes.length },
+          tr("Write # changes into the campaign", String(trials.changes.length)),
         ),
         status = make("div", { "aria-live": "polite" });
       go.addEventListener("click", () => {
-        once(go, send({ table: text, was: found.digest })).then(
+        once(go, send({ table: text, was: trials.digest })).then(
           (answer) => written(answer as WrittenTrials),
           (error) => status.replaceChildren(problem(error)),
         );
@@ -377,22 +383,22 @@ export function pasteTrials(
       const of = (words: string, numbers: number[]) =>
         numbers.length ? [make("p", { class: "muted" }, tr(words, numbers.join(", ")))] : [];
       return [
-        ...(found.changes.length
+        ...(trials.changes.length
           ? [
               table(
                 "changed trials",
                 ["trial", "field", "before", "after"],
-                found.changes.map((one) => [
-                  String(one.number),
-                  tr(one.key),
-                  one.before || "–",
-                  one.after,
+                trials.changes.map((change) => [
+                  String(change.number),
+                  tr(change.key),
+                  change.before || "–",
+                  change.after,
                 ]),
               ),
             ]
           : [make("p", { class: "good" }, tr("The campaign says the same."))]),
-        ...of("Not in the campaign, so left out: trial #", found.absent),
-        ...of("Not in the table, so unchanged: trial #", found.unlisted),
+        ...of("Not in the campaign, so left out: trial #", trials.absent),
+        ...of("Not in the table, so unchanged: trial #", trials.unlisted),
         make("p", { class: "bar" }, go),
         status,
       ];

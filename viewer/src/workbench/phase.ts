@@ -53,8 +53,8 @@ export class Phase {
 
   /** `lacking` hears that a channel was chosen whose numbers are not there. */
   constructor(private readonly lacking: () => void) {
-    for (const one of [this.across, this.upward])
-      one.addEventListener("change", () => this.begin());
+    for (const select of [this.across, this.upward])
+      select.addEventListener("change", () => this.begin());
     new ResizeObserver(([entry]) => {
       this.width = Math.floor(entry!.contentRect.width);
       this.redraw();
@@ -86,8 +86,8 @@ export class Phase {
       [this.across, this.upward].forEach((select, i) => {
         select.replaceChildren(...names.map((name) => make("option", { value: name }, name)));
         select.value =
-          [before[i]!, USUAL[i]!, names[Math.min(i, names.length - 1)]!].find((one) =>
-            names.includes(one),
+          [before[i]!, USUAL[i]!, names[Math.min(i, names.length - 1)]!].find((text) =>
+            names.includes(text),
           ) ?? "";
       });
     }
@@ -142,13 +142,13 @@ export class Phase {
     const [first, second] = chosen;
     const wide = Math.min(width, 720);
     const lines: Both[] = first.curves.flatMap((curve) => {
-      const other = second.curves.find((one) => one.role === curve.role);
+      const other = second.curves.find((candidate) => candidate.role === curve.role);
       return other
         ? [{ role: curve.role, label: curve.label, x: store.get(curve.y), y: store.get(other.y) }]
         : [];
     });
-    const [left, right] = ends(lines.map((one) => one.x)),
-      [low, high] = ends(lines.map((one) => one.y)),
+    const [left, right] = ends(lines.map((line) => line.x)),
+      [low, high] = ends(lines.map((line) => line.y)),
       time = store.get(scene.x);
     const toX = (value: number) => LEFT + ((value - left) / (right - left)) * (wide - LEFT - RIGHT),
       toY = (value: number) => TOP + ((high - value) / (high - low)) * (HEIGHT - TOP - BOTTOM);

@@ -48,8 +48,9 @@ export class Points {
     this.choice.addEventListener("change", () => this.choose(this.choice.value));
     this.inputs.forEach((input) => {
       input.addEventListener("change", () => {
-        const values = this.inputs.map((one) => Number(one.value));
-        if (this.inputs.some((one) => one.value === "") || !values.every(Number.isFinite)) return;
+        const values = this.inputs.map((input) => Number(input.value));
+        if (this.inputs.some((input) => input.value === "") || !values.every(Number.isFinite))
+          return;
         this.put(this.choice.value, values as [number, number, number], true);
       });
     });
@@ -63,19 +64,19 @@ export class Points {
 
   /** Takes what the hardpoints of a rig are (SI). */
   set(numbers: { path: string; value: number }[]): void {
-    const found = new Map<string, [number, number, number]>();
+    const points = new Map<string, [number, number, number]>();
     for (const { path, value } of numbers) {
       const place = /^hardpoints\.(\w+)\[([012])\]$/.exec(path);
       if (!place) continue;
-      const one = found.get(place[1]!) ?? [0, 0, 0];
-      one[Number(place[2])] = value / MM;
-      found.set(place[1]!, one);
+      const point = points.get(place[1]!) ?? [0, 0, 0];
+      point[Number(place[2])] = value / MM;
+      points.set(place[1]!, point);
     }
-    if ([...found.keys()].join() !== [...this.places.keys()].join())
+    if ([...points.keys()].join() !== [...this.places.keys()].join())
       this.choice.replaceChildren(
-        ...[...found.keys()].map((name) => make("option", { value: name }, part(name))),
+        ...[...points.keys()].map((name) => make("option", { value: name }, part(name))),
       );
-    this.places = found;
+    this.places = points;
     this.write();
   }
 

@@ -80,30 +80,30 @@ function translated(text: string): string | undefined {
   if (Object.hasOwn(WORDS, own)) return WORDS[own];
   const known = PARTS[own.replaceAll("_", " ")];
   if (known) return known;
-  let found = /^(.*), difference from (.*)$/.exec(own);
-  if (found) return `${found[1]}, Abweichung von ${spoken(found[2]!)}`;
-  found = /^(.*), reaction (force|torque) along ([xyz])$/.exec(own);
-  if (found)
-    return `${translated(found[1]!) ?? found[1]}, ${found[2] === "force" ? "Reaktionskraft" : "Reaktionsmoment"} entlang ${found[3]}`;
-  found = /^place of (\w+)\.([xyz])$/.exec(own);
-  if (found) return `Ort von ${part(found[1]!)}, ${found[2]}`;
-  found = /^(left|right): (.*)$/.exec(own);
-  if (found) {
-    const said = translated(found[2]!);
-    return said && `${PARTS[found[1]!]}: ${said}`;
+  let match = /^(.*), difference from (.*)$/.exec(own);
+  if (match) return `${match[1]}, Abweichung von ${spoken(match[2]!)}`;
+  match = /^(.*), reaction (force|torque) along ([xyz])$/.exec(own);
+  if (match)
+    return `${translated(match[1]!) ?? match[1]}, ${match[2] === "force" ? "Reaktionskraft" : "Reaktionsmoment"} entlang ${match[3]}`;
+  match = /^place of (\w+)\.([xyz])$/.exec(own);
+  if (match) return `Ort von ${part(match[1]!)}, ${match[2]}`;
+  match = /^(left|right): (.*)$/.exec(own);
+  if (match) {
+    const said = translated(match[2]!);
+    return said && `${PARTS[match[1]!]}: ${said}`;
   }
-  found = /^(Δ )?([a-z0-9_]+\.[a-z0-9_.]+), (.*)$/.exec(own); // a channel and what it is
-  if (found) {
-    const said = translated(found[3]!);
-    return said && `${found[1] ?? ""}${found[2]}, ${said}`;
+  match = /^(Δ )?([a-z0-9_]+\.[a-z0-9_.]+), (.*)$/.exec(own); // a channel and what it is
+  if (match) {
+    const said = translated(match[3]!);
+    return said && `${match[1] ?? ""}${match[2]}, ${said}`;
   }
-  found = /^(.*)([,;]) (.*)$/.exec(own); // two things that are known, the last of them alone
-  if (found) {
+  match = /^(.*)([,;]) (.*)$/.exec(own); // two things that are known, the last of them alone
+  if (match) {
     const [one, other] = [
-      translated(found[1]!),
-      /^[xyz]$/.test(found[3]!) ? found[3]! : translated(found[3]!),
+      translated(match[1]!),
+      /^[xyz]$/.test(match[3]!) ? match[3]! : translated(match[3]!),
     ];
-    return one && other ? `${one}${found[2]} ${other}` : undefined;
+    return one && other ? `${one}${match[2]} ${other}` : undefined;
   }
   return undefined;
 }

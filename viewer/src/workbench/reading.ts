@@ -138,7 +138,7 @@ export class Reading {
       () => ({ kind: "preview", files: [this.file], form: this.form, ...this.asked() }),
       (reply) => this.shown(reply.result, reply),
     );
-    this.names.append(...USUAL.map((one) => make("option", { value: one })));
+    this.names.append(...USUAL.map((unit) => make("option", { value: unit })));
     this.element.append(
       make(
         "div",
@@ -182,28 +182,28 @@ export class Reading {
   }
 
   private shown(
-    found: Preview,
+    preview: Preview,
     reply: { python: string; command: string; files: Record<string, string> },
   ): HTMLElement[] {
-    if (JSON.stringify(found.columns) !== JSON.stringify(this.known)) {
-      this.known = found.columns;
+    if (JSON.stringify(preview.columns) !== JSON.stringify(this.known)) {
+      this.known = preview.columns;
       this.offer();
     }
     const shown: HTMLElement[] = this.alike();
-    if (found.problem)
-      shown.push(make("p", { class: "problem", role: "alert" }, asSaid(found.problem)));
+    if (preview.problem)
+      shown.push(make("p", { class: "problem", role: "alert" }, asSaid(preview.problem)));
     shown.push(
       ...advised(
-        found.findings.map((one) => ({ ...one, place: "" })),
+        preview.findings.map((quantity) => ({ ...quantity, place: "" })),
         "p",
       ),
     );
-    if (found.more) shown.push(make("p", { class: "muted" }, `and ${found.more} more columns`));
-    if (found.points) shown.push(xy(found.points));
-    if (found.content) {
+    if (preview.more) shown.push(make("p", { class: "muted" }, `and ${preview.more} more columns`));
+    if (preview.points) shown.push(xy(preview.points));
+    if (preview.content) {
       const holder = make("div", {});
       shown.push(holder);
-      void Store.open(JSON.stringify(found.content))
+      void Store.open(JSON.stringify(preview.content))
         .then(inWords)
         .then((store) => {
           const model = store.content.viewers[0];
@@ -215,11 +215,11 @@ export class Reading {
 
   /** A file of the same columns was read before: one button reads this one so, where nothing was said of it yet. */
   private alike(): HTMLElement[] {
-    const names = new Set(this.known.map((one) => one.name));
+    const names = new Set(this.known.map((quantity) => quantity.name));
     const same = this.like.find(
-      (one) =>
-        one.file !== this.file &&
-        Object.values(one.fields.columns ?? {}).every((column) =>
+      (quantity) =>
+        quantity.file !== this.file &&
+        Object.values(quantity.fields.columns ?? {}).every((column) =>
           names.has(column.replace(/ \[[^\]]*\]$/, "")),
         ),
     );
@@ -247,8 +247,8 @@ export class Reading {
       ]),
     );
     this.mapping.replaceChildren(
-      ...this.known.map((one) => {
-        const own = meant[one.name];
+      ...this.known.map((quantity) => {
+        const own = meant[quantity.name];
         const name =
           this.form === "recording"
             ? make("input", {
@@ -256,12 +256,12 @@ export class Reading {
                 list: "channels-to-read",
                 value: own?.name ?? "",
                 placeholder: "as it is",
-                "aria-label": `quantity of ${one.name}`,
+                "aria-label": `quantity of ${quantity.name}`,
                 size: "16",
               })
             : make(
                 "select",
-                { "aria-label": `quantity of ${one.name}` },
+                { "aria-label": `quantity of ${quantity.name}` },
                 ...["", "displacement", "force"].map((word) =>
                   make(
                     "option",
@@ -273,17 +273,18 @@ export class Reading {
         const unit = make("input", {
           type: "text",
           value: own?.unit ?? "",
-          placeholder: one.unit || "e.g. mm",
-          "aria-label": `unit of ${one.name}`,
+          placeholder: quantity.unit || "e.g. mm",
+          "aria-label": `unit of ${quantity.name}`,
           size: "8",
         });
         const take = () => {
           for (const [key, column] of Object.entries(this.fields.columns))
-            if (column.replace(/ \[[^\]]*\]$/, "") === one.name) delete this.fields.columns[key];
+            if (column.replace(/ \[[^\]]*\]$/, "") === quantity.name)
+              delete this.fields.columns[key];
           if (name.value)
             this.fields.columns[name.value] = unit.value.trim()
-              ? `${one.name} [${unit.value.trim()}]`
-              : one.name;
+              ? `${quantity.name} [${unit.value.trim()}]`
+              : quantity.name;
           void this.ask();
         };
         name.addEventListener("change", take);
@@ -291,10 +292,10 @@ export class Reading {
         return make(
           "tr",
           {},
-          make("th", { scope: "row" }, one.name),
-          make("td", {}, one.unit || "–"),
-          make("td", { class: "right" }, written(one.least)),
-          make("td", { class: "right" }, written(one.greatest)),
+          make("th", { scope: "row" }, quantity.name),
+          make("td", {}, quantity.unit || "–"),
+          make("td", { class: "right" }, written(quantity.least)),
+          make("td", { class: "right" }, written(quantity.greatest)),
           make("td", {}, name),
           make("td", {}, unit),
         );

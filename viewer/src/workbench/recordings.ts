@@ -29,35 +29,35 @@ export class RecordingList {
       { recordings, axis } = layout;
     fill(
       this.list,
-      ...recordings.map((one, k) => {
-        const track = tracks.find(({ path }) => path === one.path);
+      ...recordings.map((recording, k) => {
+        const track = tracks.find(({ path }) => path === recording.path);
         const shown = make("input", {
           type: "checkbox",
-          checked: one.shown,
-          "aria-label": tr("show #", one.path),
+          checked: recording.shown,
+          "aria-label": tr("show #", recording.path),
         });
         shown.addEventListener("change", () => {
-          one.shown = shown.checked;
+          recording.shown = shown.checked;
           this.laid.changed();
         });
         const shift = make("input", {
           type: "number",
           step: "any",
-          value: String(one.shifts[axis] ?? 0),
-          "aria-label": tr("shift of #", one.path),
+          value: String(recording.shifts[axis] ?? 0),
+          "aria-label": tr("shift of #", recording.path),
         });
         shift.addEventListener("change", () => {
           const value = shift.valueAsNumber;
-          if (!Number.isFinite(value)) shift.value = String(one.shifts[axis] ?? 0);
+          if (!Number.isFinite(value)) shift.value = String(recording.shifts[axis] ?? 0);
           else {
-            if (value === 0) delete one.shifts[axis];
-            else one.shifts[axis] = value;
+            if (value === 0) delete recording.shifts[axis];
+            else recording.shifts[axis] = value;
             this.laid.changed();
           }
         });
         const remove = make(
           "button",
-          { type: "button", class: "small", "aria-label": tr("remove #", one.path) },
+          { type: "button", class: "small", "aria-label": tr("remove #", recording.path) },
           "×",
         );
         remove.addEventListener("click", () => {
@@ -75,7 +75,7 @@ export class RecordingList {
               {},
               shown,
               recordings.length > 1 ? make("i", { class: `swatch ${ROLES[k]}` }) : "",
-              make("b", {}, one.path),
+              make("b", {}, recording.path),
             ),
             remove,
           ),
@@ -88,7 +88,9 @@ export class RecordingList {
         );
       }),
     );
-    const others = this.paths.filter((path) => !recordings.some((one) => one.path === path));
+    const others = this.paths.filter(
+      (path) => !recordings.some((recording) => recording.path === path),
+    );
     const isFull = recordings.length >= MOST_RECORDINGS;
     this.more.replaceChildren(
       make(

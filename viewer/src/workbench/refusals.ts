@@ -71,7 +71,7 @@ const placed = (place: string) =>
   isGerman
     ? place
         .split(": ")
-        .map((one) => PLACES[one] ?? one)
+        .map((part) => PLACES[part] ?? part)
         .join(": ")
     : place;
 

@@ -50,7 +50,7 @@ class Copy {
       else if (isSvg && name === "id")
         made.id = value; // of clip paths and titles
       else if (name === "data-style" && made instanceof SVGElement)
-        for (const part of value.split(/; */).filter((one) => SIZES.test(one)))
+        for (const part of value.split(/; */).filter((part) => SIZES.test(part)))
           made.style.setProperty(...(part.split(": ") as [string, string]));
     }
     for (const child of node.childNodes) {
@@ -61,7 +61,7 @@ class Copy {
   }
 
   private text({ data, parentElement, previousSibling, nextSibling }: Text): Node {
-    const isPart = [previousSibling, nextSibling].some((one) => one?.nodeName === "WBR"); // of a name
+    const isPart = [previousSibling, nextSibling].some((node) => node?.nodeName === "WBR"); // of a name
     const [, before = "", words = "", after = ""] =
       /^([\s:]*)(.*?)(\s*)$/s.exec(data.replaceAll("\u00a0", " ")) ?? [];
     if (!isGerman || !words || isPart) return document.createTextNode(data);
@@ -84,7 +84,7 @@ export async function reported(address: string, findings: Finding[]): Promise<HT
     source = new DOMParser().parseFromString(plain, "text/html"),
     data = source.getElementById("jounce-data")?.textContent,
     rows = [...source.querySelectorAll<HTMLElement>("details[data-scene]")];
-  const scenes = new Set(rows.map((one) => one.dataset.scene!)),
+  const scenes = new Set(rows.map((row) => row.dataset.scene!)),
     germans = new Map(
       findings.flatMap(({ message, german }) => (german ? [[bare(message), german] as const] : [])),
     );
@@ -137,8 +137,8 @@ export async function reported(address: string, findings: Finding[]): Promise<HT
 function jump(words: string, goal: HTMLElement, focus: HTMLElement): HTMLElement {
   const link = make("button", { type: "button", class: "link" }, words);
   link.addEventListener("click", () => {
-    for (let one: HTMLElement | null = goal; one; one = one.parentElement)
-      if (one instanceof HTMLDetailsElement) one.open = true;
+    for (let element: HTMLElement | null = goal; element; element = element.parentElement)
+      if (element instanceof HTMLDetailsElement) element.open = true;
     goal.scrollIntoView({ block: "start" });
     focus.focus({ preventScroll: true });
   });
@@ -162,6 +162,6 @@ async function unfold(row: HTMLDetailsElement, store: () => Promise<Store>): Pro
 
 /** The viewer that has a scene, with this scene alone. */
 function modelOf({ viewers }: Store["content"], name: string): Model | undefined {
-  const model = viewers.find((one) => one.scenes.some((scene) => scene.name === name));
+  const model = viewers.find((viewer) => viewer.scenes.some((scene) => scene.name === name));
   return model && { ...model, scenes: model.scenes.filter((scene) => scene.name === name) };
 }

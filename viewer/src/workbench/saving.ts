@@ -223,9 +223,9 @@ type TableBlock = Extract<Block, { kind: "table" }>;
 
 /** The visible rows of a table, as text: fields by what is entered in them. */
 function tableOf(element: HTMLTableElement, label: string): TableBlock {
-  const cell = (one: Element): string => {
-    const field = one.querySelector<HTMLInputElement | HTMLSelectElement>("input, select");
-    if (!field) return textOf(one);
+  const cell = (element: Element): string => {
+    const field = element.querySelector<HTMLInputElement | HTMLSelectElement>("input, select");
+    if (!field) return textOf(element);
     if (field instanceof HTMLSelectElement) return textOf(field.selectedOptions[0] ?? null);
     return field.type === "checkbox" ? (field.checked ? "✓" : "") : field.value;
   };

@@ -114,7 +114,9 @@ export async function choose(
     )
     .map((entry) => entry.path);
   const others = shipped
-    ? (await api.library()).filter((one) => page !== "kinematics" || one.has_hardpoints)
+    ? (await api.library()).filter(
+        (shippedRig) => page !== "kinematics" || shippedRig.has_hardpoints,
+      )
     : [];
   place.replaceChildren(
     make("h1", {}, label),
@@ -135,12 +137,12 @@ export async function choose(
     ...(others.length
       ? [
           make("h2", {}, tr("Shipped with jounce")),
-          gallery(others, (one) => [
+          gallery(others, (shipped) => [
             make(
               "a",
               {
-                href: address(page, { [key]: one.name, ...more }),
-                "aria-label": `${tr("open")}: ${one.name}`,
+                href: address(page, { [key]: shipped.name, ...more }),
+                "aria-label": `${tr("open")}: ${shipped.name}`,
               },
               tr("open"),
             ),

@@ -32,7 +32,10 @@ export const kindOf = ({ model }: api.Shipped): string =>
     : (KINDS[model] ?? model.replaceAll("-", " "));
 
 /** Cards of shipped rigs, each with its own links or buttons. */
-export function gallery(rigs: api.Shipped[], actions: (one: api.Shipped) => Node[]): HTMLElement {
+export function gallery(
+  rigs: api.Shipped[],
+  actions: (shipped: api.Shipped) => Node[],
+): HTMLElement {
   const seen = new IntersectionObserver(
     (entries) => {
       for (const { target, isIntersecting } of entries) {
@@ -53,16 +56,16 @@ export function gallery(rigs: api.Shipped[], actions: (one: api.Shipped) => Node
   return make(
     "ul",
     { class: "gallery" },
-    ...rigs.map((one) => {
-      const picture = make("img", { alt: "", width: "160", height: "110", "data-rig": one.name });
+    ...rigs.map((rig) => {
+      const picture = make("img", { alt: "", width: "160", height: "110", "data-rig": rig.name });
       seen.observe(picture);
       return make(
         "li",
-        { title: one.source },
+        { title: rig.source },
         picture,
-        make("b", {}, one.name),
-        make("span", { class: "muted" }, kindOf(one)),
-        make("span", { class: "links" }, ...actions(one)),
+        make("b", {}, rig.name),
+        make("span", { class: "muted" }, kindOf(rig)),
+        make("span", { class: "links" }, ...actions(rig)),
       );
     }),
   );

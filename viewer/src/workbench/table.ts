@@ -24,10 +24,10 @@ export function table(
   numbers: number[] = [],
   caption = "",
 ): HTMLElement {
-  const heads = header.map((one, k) =>
-    one === ""
+  const heads = header.map((cell, k) =>
+    cell === ""
       ? make("td", {})
-      : make("th", { scope: "col", ...aligned(numbers.includes(k)) }, ...[one].flat()),
+      : make("th", { scope: "col", ...aligned(numbers.includes(k)) }, ...[cell].flat()),
   );
   const body = Array.isArray(rows)
     ? make("tbody", {}, ...rows.map((cells) => row(cells, numbers)))

@@ -16,7 +16,7 @@ export interface Column {
 /** A name that may break behind a dot only. */
 const dotted = (text: string) =>
   text.split(/(?<=\.)(?=[a-z])/).flatMap((part, i) => (i ? [make("wbr"), part] : [part]));
-const named = (one: Column) => `${one.name} [${one.unit || "–"}]`;
+const named = (column: Column) => `${column.name} [${column.unit || "–"}]`;
 const ends = (values: (number | null)[]): [number, number] => {
   let low = Infinity,
     high = -Infinity;
@@ -83,7 +83,7 @@ const SPACE = 130,
 /** Lines through parallel axes: drag along an axis to keep what passes there, or type the ends of a range. */
 export function parallel(brushes: Brushes): HTMLElement {
   const { columns } = brushes,
-    scales = columns.map((one) => ends(one.values));
+    scales = columns.map((column) => ends(column.values));
   const width = SPACE * columns.length,
     height = TOP + HIGH + FOOT;
   const drawing = make("canvas"),
@@ -103,8 +103,8 @@ export function parallel(brushes: Brushes): HTMLElement {
     const line = (row: number) => {
       context.beginPath();
       let open = false;
-      columns.forEach((one, k) => {
-        const value = one.values[row];
+      columns.forEach((column, k) => {
+        const value = column.values[row];
         if (value === null || value === undefined) {
           open = false;
           return;
@@ -131,7 +131,7 @@ export function parallel(brushes: Brushes): HTMLElement {
     }
     context.font = "12px system-ui, sans-serif";
     context.textAlign = "center";
-    columns.forEach((one, k) => {
+    columns.forEach((column, k) => {
       const [low, high] = scales[k]!;
       context.strokeStyle = colour("edge");
       context.lineWidth = 1;
@@ -154,7 +154,7 @@ export function parallel(brushes: Brushes): HTMLElement {
       context.fillStyle = colour("ink");
       context.fillText(written(high, 3), at(k), TOP - 8);
       context.fillText(written(low, 3), at(k), TOP + HIGH + 15);
-      void one;
+      void column;
     });
   };
   let from: { k: number; value: number } | null = null;
@@ -193,8 +193,13 @@ export function parallel(brushes: Brushes): HTMLElement {
   const heads = make(
     "div",
     { class: "axes" },
-    ...columns.map((one) =>
-      make("span", { title: named(one) }, ...dotted(one.name), make("small", {}, one.unit || "–")),
+    ...columns.map((column) =>
+      make(
+        "span",
+        { title: named(column) },
+        ...dotted(column.name),
+        make("small", {}, column.unit || "–"),
+      ),
     ),
   );
   heads.style.width = `${width}px`;
@@ -209,18 +214,18 @@ export function parallel(brushes: Brushes): HTMLElement {
 
 /** The ranges as numbers, for those who do not drag. */
 export function ranges(brushes: Brushes): HTMLElement {
-  const cells = brushes.columns.map((one, k) => {
-    const [low, high] = ends(one.values);
+  const cells = brushes.columns.map((column, k) => {
+    const [low, high] = ends(column.values);
     const inputs = ["from", "to"].map((word) =>
       make("input", {
         type: "number",
         step: "any",
-        "aria-label": `${one.name}, ${word} [${one.unit || "–"}]`,
+        "aria-label": `${column.name}, ${word} [${column.unit || "–"}]`,
         placeholder: written(word === "from" ? low : high, 4),
       }),
     );
     const take = () => {
-      const [a, b] = inputs.map((one) => one.value);
+      const [a, b] = inputs.map((input) => input.value);
       brushes.set(k, a || b ? [a ? Number(a) : -Infinity, b ? Number(b) : Infinity] : null);
     };
     for (const input of inputs) input.addEventListener("change", take);
@@ -232,7 +237,7 @@ export function ranges(brushes: Brushes): HTMLElement {
             range && Number.isFinite(range[i]!) ? String(Number(range[i]!.toPrecision(4))) : "";
       });
     });
-    return [one.name, inputs[0]!, inputs[1]!, one.unit || "–"];
+    return [column.name, inputs[0]!, inputs[1]!, column.unit || "–"];
   });
   return make(
     "details",
@@ -307,8 +312,8 @@ function dots(brushes: Brushes, x: Column, y: Column): HTMLElement {
 
 /** Scatter plots of all metrics over all parameters. */
 export function matrix(brushes: Brushes): HTMLElement {
-  const numbers = brushes.columns.filter((one) => one.is_number).slice(0, 8),
-    metrics = brushes.columns.filter((one) => !one.is_number).slice(0, 6);
+  const numbers = brushes.columns.filter((column) => column.is_number).slice(0, 8),
+    metrics = brushes.columns.filter((column) => !column.is_number).slice(0, 6);
   return make(
     "div",
     { class: "wide table", tabindex: "0", role: "region", "aria-label": "scatter plot matrix" },
@@ -322,7 +327,7 @@ export function matrix(brushes: Brushes): HTMLElement {
           "tr",
           {},
           make("td", {}),
-          ...numbers.map((one) => make("th", { scope: "col" }, ...dotted(named(one)))),
+          ...numbers.map((parameter) => make("th", { scope: "col" }, ...dotted(named(parameter)))),
         ),
       ),
       make(
@@ -354,20 +359,22 @@ const INDEX: [string, string][] = [
 
 /** Sensitivity of a metric as bars, the most important parameter first. */
 export function tornado(influences: Influence[], metric: Column, mean: number): HTMLElement {
-  const value = (one: Influence, key: string) => {
-    const found = one.measures[key];
-    return typeof found === "number" ? found : (found?.value ?? NaN);
+  const value = (influence: Influence, key: string) => {
+    const measure = influence.measures[key];
+    return typeof measure === "number" ? measure : (measure?.value ?? NaN);
   };
-  const own = influences.filter((one) => one.metric === metric.name);
+  const own = influences.filter((influence) => influence.metric === metric.name);
   const [key, words] = INDEX.find(([key]) =>
-    own.some((one) => Number.isFinite(value(one, key))),
+    own.some((influence) => Number.isFinite(value(influence, key))),
   ) ?? ["regression", "regression coefficient"];
   own.sort((a, b) => Math.abs(value(b, key)) - Math.abs(value(a, key)));
-  const swings = own.map((one) =>
-    [value(one, "at_low"), value(one, "at_high")].map((end) => (end - mean) * metric.factor),
+  const swings = own.map((influence) =>
+    [value(influence, "at_low"), value(influence, "at_high")].map(
+      (end) => (end - mean) * metric.factor,
+    ),
   );
   const reach = Math.max(1e-300, ...swings.flat().filter(Number.isFinite).map(Math.abs));
-  const rows = own.map((one, k) => {
+  const rows = own.map((influence, k) => {
     const picture = svg("svg", { viewBox: "-100 0 200 16", class: "swing", "aria-hidden": "true" });
     picture.append(svg("line", { x1: 0, x2: 0, y1: 0, y2: 16, class: "zero" }));
     swings[k]!.forEach((swing, i) => {
@@ -386,7 +393,7 @@ export function tornado(influences: Influence[], metric: Column, mean: number): 
     const texts = swings[k]!.map((swing) =>
       Number.isFinite(swing) ? `${swing > 0 ? "+" : ""}${written(swing, 3)}` : "–",
     );
-    return [one.number, texts[0]!, picture, texts[1]!, written(value(one, key), 3)];
+    return [influence.number, texts[0]!, picture, texts[1]!, written(value(influence, key), 3)];
   });
   const end = (word: string): Cell => [
     make("span", { class: `key ${word}` }),

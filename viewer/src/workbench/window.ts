@@ -132,7 +132,7 @@ export class WindowTable {
 
   private fill({ difference, rate, rows }: Figures): void {
     const { layout, unit } = this.laid,
-      many = new Set(rows.map((one) => one.recording)).size > 1;
+      many = new Set(rows.map((row) => row.recording)).size > 1;
     this.state.textContent = "";
     this.state.classList.remove("problem");
     this.apart.textContent = `B − A = ${written(difference, DIGITS)} ${unit}${

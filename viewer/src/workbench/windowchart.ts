@@ -171,7 +171,7 @@ export class WindowChart {
       ...beside.notes.map(({ text, german }) =>
         make("p", { class: "problem" }, asSaid(text, german)),
       ),
-      ...beside.figures.map((one) => make("p", { class: "muted" }, this.words(one))),
+      ...beside.figures.map((figure) => make("p", { class: "muted" }, this.words(figure))),
     );
     if (!pane?.curves.length) {
       this.plots.clear();
@@ -201,15 +201,16 @@ export class WindowChart {
     });
   }
 
-  private words(one: Figure): string {
-    const path = this.laid.layout.recordings[one.recording]?.path ?? "";
-    if (one.resolution !== undefined)
-      return `${path}: ${tr("resolution # Hz", written(one.resolution, 3))}, ${tr("mean of # independent spectra", written(one.averages, 3))}`;
-    const every = (one.every ?? 1) > 1 ? `, ${tr("every #th is drawn", String(one.every))}` : "";
+  private words(figure: Figure): string {
+    const path = this.laid.layout.recordings[figure.recording]?.path ?? "";
+    if (figure.resolution !== undefined)
+      return `${path}: ${tr("resolution # Hz", written(figure.resolution, 3))}, ${tr("mean of # independent spectra", written(figure.averages, 3))}`;
+    const every =
+      (figure.every ?? 1) > 1 ? `, ${tr("every #th is drawn", String(figure.every))}` : "";
     const line =
-      one.slope === undefined
+      figure.slope === undefined
         ? ""
-        : `, ${tr("slope #", written(one.slope))}, ${tr("offset #", written(one.offset))}, ${tr("correlation #", written(one.correlation, 3))}`;
-    return `${path}: ${tr("# samples", String(one.samples))}${every}${line}`;
+        : `, ${tr("slope #", written(figure.slope))}, ${tr("offset #", written(figure.offset))}, ${tr("correlation #", written(figure.correlation, 3))}`;
+    return `${path}: ${tr("# samples", String(figure.samples))}${every}${line}`;
   }
 }

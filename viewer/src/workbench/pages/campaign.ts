@@ -76,7 +76,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     return;
   }
   const { entries } = await api.project();
-  const files = entries.filter((one) => one.kind === "campaign");
+  const files = entries.filter((entry) => entry.kind === "campaign");
   const folder = textBox("campaign"),
     status = make("div", { "aria-live": "polite" });
   const start = make("button", { type: "submit", class: "main" }, "Copy into this project");
@@ -100,8 +100,12 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       ? make(
           "ul",
           { class: "files" },
-          ...files.map((one) =>
-            make("li", {}, make("a", { href: address("campaign", { file: one.path }) }, one.path)),
+          ...files.map((file) =>
+            make(
+              "li",
+              {},
+              make("a", { href: address("campaign", { file: file.path }) }, file.path),
+            ),
           ),
         )
       : make(
@@ -112,8 +116,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "Runs"),
     jobList(
       ["campaign"],
-      (one) => {
-        location.hash = address("campaign", { job: one.id });
+      (job) => {
+        location.hash = address("campaign", { job: job.id });
       },
       "No campaign has been run yet.",
     ),
@@ -150,9 +154,9 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       (error) => done.append(problem(error)),
     );
   });
-  let found: Overview;
+  let overview: Overview;
   try {
-    found = await reading;
+    overview = await reading;
   } catch (error) {
     // it can be mended here
     if (!place.isConnected) return;
@@ -223,10 +227,10 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
           ...(problems.length
             ? problems.map(problem)
             : [make("p", { class: "good" }, "No problems found.")]),
-          ...notes.flatMap((one) =>
-            typeof one === "string"
-              ? make("p", { class: "muted" }, asSaid(one))
-              : advised([one], "p"),
+          ...notes.flatMap((note) =>
+            typeof note === "string"
+              ? make("p", { class: "muted" }, asSaid(note))
+              : advised([note], "p"),
           ),
         ),
       (error) => status.replaceChildren(problem(error)),
@@ -239,7 +243,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     form: "recording" | "force-deflection",
     given: Partial<Bench> = {},
   ) => {
-    opened = entry(path, file, form, given, found, go, (was) => drafts.done({ entry: was }));
+    opened = entry(path, file, form, given, overview, go, (was) => drafts.done({ entry: was }));
     reader.replaceChildren(opened.element);
     drafts.changed();
     reader.scrollIntoView({ block: "start" });
@@ -259,16 +263,16 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     return button;
   };
   const where = textBox(inside("measured"));
-  const parts = found.bench
-      .map((one) => part(one, found, link))
-      .map((one) => ({ ...one, first: entered(one.controls) })),
+  const parts = overview.bench
+      .map((bench) => part(bench, overview, link))
+      .map((row) => ({ ...row, first: entered(row.controls) })),
     form = { out, force, where },
     first = entered(form);
   const state = () => ({
     entry: opened?.state() ?? null,
     form: typedIn(form, first),
     ...own.state(),
-    fits: Object.fromEntries(parts.map((one) => [one.name, typedIn(one.controls, one.first)])),
+    fits: Object.fromEntries(parts.map((part) => [part.name, typedIn(part.controls, part.first)])),
   });
   const drafts = new Drafts<ReturnType<typeof state>>(
     project,
@@ -277,7 +281,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     state,
     (was) => {
       enter(form, was.form ?? {});
-      for (const one of parts) enter(one.controls, was.fits?.[one.name] ?? {});
+      for (const part of parts) enter(part.controls, was.fits?.[part.name] ?? {});
       own.restore(was);
       if (!was.entry) return;
       open(was.entry.file, was.entry.form, was.entry.fields);
@@ -290,19 +294,19 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   own.used = () => drafts.done(own.state());
   drafts.hear(place);
   place.replaceChildren(
-    make("h1", {}, found.title),
+    make("h1", {}, overview.title),
     make(
       "p",
       { class: "muted" },
       make("a", { href: address("campaign") }, "All campaigns"),
       ` · ${path} · ${tr("rig")} `,
-      ...(/^[^@]+\.toml$/.test(found.rig) && !found.rig.includes("..")
-        ? [make("a", { href: address("rig", { name: inside(found.rig) }) }, found.rig)]
-        : [found.rig]),
+      ...(/^[^@]+\.toml$/.test(overview.rig) && !overview.rig.includes("..")
+        ? [make("a", { href: address("rig", { name: inside(overview.rig) }) }, overview.rig)]
+        : [overview.rig]),
     ),
     drafts.element,
     done,
-    ...(found.synthetic ? [make("p", { class: "mark fair" }, found.synthetic)] : []),
+    ...(overview.synthetic ? [make("p", { class: "mark fair" }, overview.synthetic)] : []),
     make(
       "div",
       { class: "form" },
@@ -314,7 +318,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     status,
     make("h2", {}, "Parts"),
     ...(parts.length
-      ? parts.map((one) => one.element)
+      ? parts.map((part) => part.element)
       : [
           make(
             "p",
@@ -326,15 +330,15 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     table(
       "trials",
       ["trial", "use", "road", "speed", "tyre pressure", "recording"],
-      found.trials.map((one) => [
-        String(one.number),
-        tr(String(one.use ?? "hold-out")),
-        String(one.road ?? tr("measured support")),
-        String(one.speed ?? "–"),
-        String(one.tyre_pressure ?? "–"),
-        one.file
-          ? link(String(one.file), "recording", one as Partial<Bench>)
-          : make("span", { class: "mark bad" }, `${String(one.recording)} is missing`),
+      overview.trials.map((trial) => [
+        String(trial.number),
+        tr(String(trial.use ?? "hold-out")),
+        String(trial.road ?? tr("measured support")),
+        String(trial.speed ?? "–"),
+        String(trial.tyre_pressure ?? "–"),
+        trial.file
+          ? link(String(trial.file), "recording", trial as Partial<Bench>)
+          : make("span", { class: "mark bad" }, `${String(trial.recording)} is missing`),
       ]),
     ),
     pasteTrials(path, (answer) => {
@@ -342,20 +346,20 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       goTo(place, "campaign", { file: path, pasted: String(Date.now()) });
     }),
     make("h2", {}, "Updates"),
-    found.updates.length
+    overview.updates.length
       ? table(
           "updates",
           ["name", "free", "trials", "method"],
-          found.updates.map((one) => [
-            String(one.name),
-            Object.entries(one.free as Record<string, unknown>)
+          overview.updates.map((update) => [
+            String(update.name),
+            Object.entries(update.free as Record<string, unknown>)
               .map(
                 ([name, bounds]) =>
                   `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`,
               )
               .join(", "),
-            JSON.stringify(one.trials ?? "fit").replaceAll('"', ""),
-            String(one.method ?? "least-squares"),
+            JSON.stringify(update.trials ?? "fit").replaceAll('"', ""),
+            String(update.method ?? "least-squares"),
           ]),
         )
       : make(
@@ -372,7 +376,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
       () => {
         const before = reader.firstChild;
         return (paths) => {
-          come.append(...paths.map((one) => link(one, "recording")));
+          come.append(...paths.map((path) => link(path, "recording")));
           come.hidden = false;
           if (reader.firstChild === before) open(paths[0]!, "recording"); // else another file was opened meanwhile, and is being entered
         };
@@ -489,7 +493,7 @@ type Link = (
 
 /** One measured part: its files and its fit. */
 function part(
-  one: Bench,
+  bench: Bench,
   whole_: Overview,
   link: Link,
 ): {
@@ -497,19 +501,19 @@ function part(
   element: HTMLElement;
   controls: Record<string, HTMLInputElement | HTMLSelectElement>;
 } {
-  const decays = one.name === "decay",
+  const decays = bench.name === "decay",
     form = decays ? "recording" : "force-deflection";
-  const discard = textBox(one.discard_below ?? ""),
-    law = select(["linear", "polynomial", "power", "monotone-spline"], one.law);
-  const intercept = select(["drop", "shift", "keep"], one.intercept);
+  const discard = textBox(bench.discard_below ?? ""),
+    law = select(["linear", "polynomial", "power", "monotone-spline"], bench.law);
+  const intercept = select(["drop", "shift", "keep"], bench.intercept);
   const mass = textBox(whole_.mass),
-    from = textBox(one.from ?? ""),
-    to = textBox(one.to ?? "");
+    from = textBox(bench.from ?? ""),
+    to = textBox(bench.to ?? "");
   const common = {
-    files: one.found,
-    columns: one.columns ?? {},
-    variable: one.variable ?? "",
-    stroke_positive: one.stroke_positive ?? "",
+    files: bench.found,
+    columns: bench.columns ?? {},
+    variable: bench.variable ?? "",
+    stroke_positive: bench.stroke_positive ?? "",
   };
   const question = new Question(
     decays ? "Separate damping and friction" : "Fit the stiffness",
@@ -518,20 +522,20 @@ function part(
         ? {
             kind: "decay",
             ...common,
-            channel: one.channel ?? "sprung.z",
+            channel: bench.channel ?? "sprung.z",
             mass: mass.value,
             begin: from.value,
             end: to.value,
-            sample_time: one.sample_time ?? "",
+            sample_time: bench.sample_time ?? "",
           }
         : {
             kind: "stiffness",
             ...common,
-            force_positive: one.force_positive ?? "",
+            force_positive: bench.force_positive ?? "",
             law: law.value,
             discard_below: discard.value,
             intercept: intercept.value,
-            branch: one.branch ?? "loading",
+            branch: bench.branch ?? "loading",
           },
     (reply) => [
       estimates(reply.result as Record<string, unknown>, decays ? "decay" : "stiffness"),
@@ -542,10 +546,15 @@ function part(
   const element = make(
     "section",
     { class: "job" },
-    make("h3", {}, heard(tr(one.name))),
-    one.found.length
-      ? make("p", { class: "bar" }, "measured: ", ...one.found.map((file) => link(file, form, one)))
-      : make("p", { class: "problem" }, `no file found for ${one.files.join(", ")}`),
+    make("h3", {}, heard(tr(bench.name))),
+    bench.found.length
+      ? make(
+          "p",
+          { class: "bar" },
+          "measured: ",
+          ...bench.found.map((file) => link(file, form, bench)),
+        )
+      : make("p", { class: "problem" }, `no file found for ${bench.files.join(", ")}`),
     make(
       "div",
       { class: "form" },
@@ -561,27 +570,27 @@ function part(
     question.place,
   );
   return {
-    name: one.name,
+    name: bench.name,
     element,
     controls: decays ? { mass, from, to } : { law, discard, intercept },
   };
 }
 
 /** Estimates with 95 % intervals, and findings. */
-function estimates(found: Record<string, unknown>, kind: keyof typeof ESTIMATES): HTMLElement {
-  const rows = Object.entries(found).flatMap(([name, value]) => {
-    const one = value as { value?: number; interval?: [number, number] } | null;
+function estimates(record: Record<string, unknown>, kind: keyof typeof ESTIMATES): HTMLElement {
+  const rows = Object.entries(record).flatMap(([name, value]) => {
+    const estimate = value as { value?: number; interval?: [number, number] } | null;
     const [words, unit, factor] = ESTIMATES[kind][name] ?? [];
     return words &&
       unit &&
       factor &&
-      one &&
-      typeof one === "object" &&
-      typeof one.value === "number"
-      ? [[tr(words), ...estimated(one.value, one.interval, factor), unit]]
+      estimate &&
+      typeof estimate === "object" &&
+      typeof estimate.value === "number"
+      ? [[tr(words), ...estimated(estimate.value, estimate.interval, factor), unit]]
       : [];
   });
-  const findings = (found.findings ?? []) as { severity: string; message: string }[];
+  const findings = (record.findings ?? []) as { severity: string; message: string }[];
   return make(
     "div",
     {},
@@ -616,9 +625,11 @@ function entry(
   const place = make("div", {}),
     status = make("div", { "aria-live": "polite" });
   const like = whole_.trials
-    .filter((one) => one.file && Object.keys((one.columns as object | undefined) ?? {}).length)
+    .filter(
+      (trial) => trial.file && Object.keys((trial.columns as object | undefined) ?? {}).length,
+    )
     .reverse()
-    .map((one) => ({ file: String(one.file), fields: one as Partial<Fields> }));
+    .map((trial) => ({ file: String(trial.file), fields: trial as Partial<Fields> }));
   let reading = new Reading(file, form, given as object, form === "recording" ? like : []);
   const kinds: Record<string, string> = {
     trial: "trial",
@@ -636,7 +647,7 @@ function entry(
     road = make(
       "select",
       {},
-      ...whole_.roads.map((one) => make("option", { value: one }, one)),
+      ...whole_.roads.map((road) => make("option", { value: road }, road)),
       make("option", { value: "" }, "none: the support is measured"),
     );
   const support = textBox("", "file with road.z"),
@@ -823,7 +834,7 @@ const inNewTab = (address: string): HTMLElement =>
 /** A running search: its objective over the steps, and each parameter between its bounds. */
 function search(steps: Step[], units: Units): HTMLElement {
   const last = steps[steps.length - 1]!,
-    logs = steps.map((one) => Math.log10(Math.max(one.objective, 1e-300)));
+    logs = steps.map((step) => Math.log10(Math.max(step.objective, 1e-300)));
   const low = Math.min(...logs),
     high = Math.max(...logs, low + 1e-9),
     [width, height, edge] = [460, 150, 8];
@@ -887,7 +898,9 @@ function updated(folder: string): HTMLElement {
   section.append(make("h2", {}, "Updated rigs"), list);
   void api.project().then(
     ({ entries }) => {
-      const rigs = entries.filter((one) => one.kind === "rig" && one.path.startsWith(`${folder}/`));
+      const rigs = entries.filter(
+        (entry) => entry.kind === "rig" && entry.path.startsWith(`${folder}/`),
+      );
       list.append(
         ...rigs.map(({ path }) =>
           make(
@@ -917,8 +930,8 @@ async function unitsOf(path: string): Promise<Units> {
   try {
     const { rig } = await api.get<Overview>(`/api/campaign?${api.query({ path })}`),
       folder = path.includes("/") ? `${path.slice(0, path.lastIndexOf("/"))}/` : "";
-    for (const one of (await api.rig(rig.endsWith(".toml") ? folder + rig : rig)).numbers)
-      known.set(one.path, { unit: one.unit || "–", factor: one.factor });
+    for (const parameter of (await api.rig(rig.endsWith(".toml") ? folder + rig : rig)).numbers)
+      known.set(parameter.path, { unit: parameter.unit || "–", factor: parameter.factor });
   } catch {
     /* the campaign was moved since */
   }

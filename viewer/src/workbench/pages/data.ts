@@ -176,7 +176,7 @@ class DataPage implements Laid {
     }
     if (!layout && !path) layout = this.left();
     layout ??= emptyLayout();
-    if (path && !layout.recordings.some((one) => one.path === path))
+    if (path && !layout.recordings.some((recording) => recording.path === path))
       layout.recordings.push({ path, shown: true, shifts: {} });
     this.layout = wholeLayout(layout);
     await this.refresh();
@@ -209,7 +209,9 @@ class DataPage implements Laid {
   /** Fills the lists from the layout. */
   private show(): void {
     const { layout } = this,
-      names = new Set(this.tracks.flatMap((track) => track.channels.map((one) => one.name)));
+      names = new Set(
+        this.tracks.flatMap((track) => track.channels.map((channel) => channel.name)),
+      );
     if (layout.axis !== "time") names.add(layout.axis);
     this.axis.replaceChildren(
       ...["time", ...names].map((name) =>

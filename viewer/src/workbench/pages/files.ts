@@ -221,7 +221,9 @@ class Table {
     private readonly entries: api.Entry[],
     private readonly library: { name: string; has_hardpoints: boolean }[],
   ) {
-    const campaigns = entries.filter((one) => one.kind === "campaign").map((one) => one.path);
+    const campaigns = entries
+      .filter((entry) => entry.kind === "campaign")
+      .map((entry) => entry.path);
     if (campaign && campaigns.includes(campaign)) list.target.campaign = campaign;
     if (!campaigns.includes(list.target.campaign ?? ""))
       list.target.campaign = campaigns.length === 1 ? campaigns[0]! : NEW;
@@ -234,17 +236,17 @@ class Table {
   }
 
   /** What a row says: what was typed, else what the file says. */
-  private value(one: Preview, key: string): string {
-    const own = this.typed(one.file)[key];
+  private value(preview: Preview, key: string): string {
+    const own = this.typed(preview.file)[key];
     if (own !== undefined) return own;
-    if (key === "kind") return one.kind in KINDS ? one.kind : "";
-    const known = one.fields[key];
+    if (key === "kind") return preview.kind in KINDS ? preview.kind : "";
+    const known = preview.fields[key];
     if (known !== undefined) return String(known);
     return key === "road" ? (this.roads[0] ?? "") : "";
   }
 
-  private isIn(one: Preview): boolean {
-    return this.typed(one.file).off !== "yes" && this.value(one, "kind") !== "";
+  private isIn(preview: Preview): boolean {
+    return this.typed(preview.file).off !== "yes" && this.value(preview, "kind") !== "";
   }
 
   /** Asks what the files are; where they cannot be read together, each is read alone. */
@@ -333,7 +335,7 @@ class Table {
     }
     const all = make("input", { type: "checkbox", "aria-label": "all files", checked: true });
     all.addEventListener("change", () => {
-      for (const one of this.previews) this.typed(one.file).off = all.checked ? "" : "yes";
+      for (const preview of this.previews) this.typed(preview.file).off = all.checked ? "" : "yes";
       this.changed();
     });
     this.rows();
@@ -410,10 +412,10 @@ class Table {
 
   private rows(): void {
     const at = document.activeElement?.getAttribute("data-at");
-    this.body.replaceChildren(...this.previews.map((one) => this.row(one)));
+    this.body.replaceChildren(...this.previews.map((preview) => this.row(preview)));
     if (at) this.body.querySelector<HTMLElement>(`[data-at="${CSS.escape(at)}"]`)?.focus();
-    const chosen = this.previews.filter((one) => this.isIn(one)),
-      open = chosen.filter((one) => this.lacks(one).length);
+    const chosen = this.previews.filter((preview) => this.isIn(preview)),
+      open = chosen.filter((preview) => this.lacks(preview).length);
     this.counted.textContent = [
       tr("# files are entered", String(chosen.length)),
       ...(open.length ? [tr("# lack something", String(open.length))] : []),
@@ -426,8 +428,8 @@ class Table {
   }
 
   /** What a file still lacks, in words. */
-  private lacks(one: Preview): string[] {
-    const kind = this.value(one, "kind");
+  private lacks(preview: Preview): string[] {
+    const kind = this.value(preview, "kind");
     const words: Record<Missing["what"], string> = {
       unit: tr("unit of #"),
       speed: tr("speed"),
@@ -435,64 +437,66 @@ class Table {
       sign: tr("sign"),
       channel: tr("names of the columns"),
     };
-    const known = one.missing.filter(({ what, column, proposal }) =>
+    const known = preview.missing.filter(({ what, column, proposal }) =>
       what === "unit"
         ? !proposal &&
-          !Object.values(this.list.columns[one.file] ?? {}).some((c) => c.startsWith(column))
+          !Object.values(this.list.columns[preview.file] ?? {}).some((c) => c.startsWith(column))
         : what === "sign"
           ? ["spring", "tyre"].includes(kind) &&
-            !this.value(one, "stroke_positive") &&
-            !this.value(one, "force_positive")
+            !this.value(preview, "stroke_positive") &&
+            !this.value(preview, "force_positive")
           : what === "channel",
     );
     const needed = (INPUTS[kind] ?? [])
       .map(([key]) => key)
-      .filter((key) => NEEDED.includes(key) && !this.value(one, key));
+      .filter((key) => NEEDED.includes(key) && !this.value(preview, key));
     return [
       ...known.map(({ what, column }) => words[what].replace("#", column)),
       ...needed.map((key) => words[key as "speed" | "pressure"]),
     ];
   }
 
-  private row(one: Preview): HTMLTableRowElement {
-    const name = one.file.split("/").pop()!,
-      kind = this.value(one, "kind");
+  private row(preview: Preview): HTMLTableRowElement {
+    const name = preview.file.split("/").pop()!,
+      kind = this.value(preview, "kind");
     const box = make("input", {
       type: "checkbox",
       "aria-label": tr("enter #", name),
-      "data-at": `${one.file} on`,
-      checked: this.isIn(one),
+      "data-at": `${preview.file} on`,
+      checked: this.isIn(preview),
       disabled: kind === "",
     });
     box.addEventListener("change", () => {
-      this.typed(one.file).off = box.checked ? "" : "yes";
+      this.typed(preview.file).off = box.checked ? "" : "yes";
       this.changed();
     });
-    const isData = one.columns.length > 0,
-      opens = OPENS[this.entries.find(({ path }) => path === one.file)?.kind ?? ""]?.[0];
+    const isData = preview.columns.length > 0,
+      opens = OPENS[this.entries.find(({ path }) => path === preview.file)?.kind ?? ""]?.[0];
     const type = isData
-      ? this.choice(one, "kind", Object.entries(KINDS), name)
-      : make("span", {}, tr(one.kind === "unknown" ? "not recognised" : one.kind));
-    const lacking = this.isIn(one) ? this.lacks(one) : [];
-    const state = this.refused.get(one.file);
+      ? this.choice(preview, "kind", Object.entries(KINDS), name)
+      : make("span", {}, tr(preview.kind === "unknown" ? "not recognised" : preview.kind));
+    const lacking = this.isIn(preview) ? this.lacks(preview) : [];
+    const state = this.refused.get(preview.file);
     return make(
       "tr",
-      { class: this.isIn(one) ? "" : "off" },
+      { class: this.isIn(preview) ? "" : "off" },
       make("td", {}, box),
       make(
         "th",
-        { scope: "row", title: one.file },
-        opens ? make("a", { href: address(opens[0], { [opens[1]]: one.file }) }, name) : name,
+        { scope: "row", title: preview.file },
+        opens ? make("a", { href: address(opens[0], { [opens[1]]: preview.file }) }, name) : name,
       ),
       make(
         "td",
         {},
         type,
-        ...(one.doubt ? [make("small", { class: "fair" }, " ", asSaid(`or ${one.doubt}`))] : []),
+        ...(preview.doubt
+          ? [make("small", { class: "fair" }, " ", asSaid(`or ${preview.doubt}`))]
+          : []),
       ),
-      make("td", {}, sparkline(one)),
-      make("td", {}, asSaid(one.summary), ...this.units(one, name)),
-      make("td", { class: "inputs" }, ...this.inputs(one, kind, name, isData)),
+      make("td", {}, sparkline(preview)),
+      make("td", {}, asSaid(preview.summary), ...this.units(preview, name)),
+      make("td", { class: "inputs" }, ...this.inputs(preview, kind, name, isData)),
       make(
         "td",
         {},
@@ -500,7 +504,7 @@ class Table {
           ? [make("span", { class: "wrong", role: "alert" }, state)]
           : lacking.length
             ? [make("span", { class: "mark fair" }, `${tr("missing")}: ${lacking.join(", ")}`)]
-            : this.isIn(one)
+            : this.isIn(preview)
               ? [make("span", { class: "mark good" }, "complete")]
               : []),
       ),
@@ -508,21 +512,21 @@ class Table {
   }
 
   /** Units that the file does not have: the usual ones are shown, and can be changed. */
-  private units(one: Preview, name: string): HTMLElement[] {
-    const columns = one.fields.columns as Record<string, string> | undefined;
-    if (!["spring", "tyre"].includes(this.value(one, "kind")) || !columns) return [];
-    return one.missing
+  private units(preview: Preview, name: string): HTMLElement[] {
+    const columns = preview.fields.columns as Record<string, string> | undefined;
+    if (!["spring", "tyre"].includes(this.value(preview, "kind")) || !columns) return [];
+    return preview.missing
       .filter(({ what, proposal }) => what === "unit" && proposal)
       .flatMap(({ column, proposal }) => {
         const key = Object.keys(columns).find((own) => columns[own]!.startsWith(column));
         if (!key) return [];
-        const own = this.list.columns[one.file]?.[key],
+        const own = this.list.columns[preview.file]?.[key],
           now = (own && /\[([^\]]*)\]$/.exec(own)?.[1]) || proposal;
         const choice = select(key === "force" ? FORCES : LENGTHS, now);
         choice.setAttribute("aria-label", tr("unit of #", `${column}, ${name}`));
-        choice.dataset.at = `${one.file} unit ${key}`;
+        choice.dataset.at = `${preview.file} unit ${key}`;
         choice.addEventListener("change", () => {
-          for (const like of this.alike(one))
+          for (const like of this.alike(preview))
             this.list.columns[like.file] = {
               ...(like.fields.columns as Record<string, string>),
               ...this.list.columns[like.file],
@@ -546,75 +550,76 @@ class Table {
   }
 
   private choice(
-    one: Preview,
+    preview: Preview,
     key: string,
     choices: [value: string, words: string][],
     name: string,
   ): HTMLSelectElement {
     const control = make(
       "select",
-      { "aria-label": `${tr(key)}: ${name}`, "data-at": `${one.file} ${key}` },
+      { "aria-label": `${tr(key)}: ${name}`, "data-at": `${preview.file} ${key}` },
       ...choices.map(([value, words]) =>
-        make("option", { value, selected: value === this.value(one, key) }, tr(words)),
+        make("option", { value, selected: value === this.value(preview, key) }, tr(words)),
       ),
     );
     control.addEventListener("change", () => {
-      this.typed(one.file)[key] = control.value;
-      this.refused.delete(one.file);
+      this.typed(preview.file)[key] = control.value;
+      this.refused.delete(preview.file);
       this.changed();
     });
     return control;
   }
 
-  private inputs(one: Preview, kind: string, name: string, isData: boolean): HTMLElement[] {
+  private inputs(preview: Preview, kind: string, name: string, isData: boolean): HTMLElement[] {
     const shown = (INPUTS[kind] ?? []).map(([key, label, example]) => {
-      if (key === "use") return this.choice(one, key, CHOICES.use!, name);
+      if (key === "use") return this.choice(preview, key, CHOICES.use!, name);
       if (key === "road")
         return this.choice(
-          one,
+          preview,
           key,
           this.roads.map((road) => [road, `${tr("road")} ${road}`]),
           name,
         );
-      const input = textBox(this.value(one, key), `${tr(label)}, ${example}`);
+      const input = textBox(this.value(preview, key), `${tr(label)}, ${example}`);
       input.size = key === "number" ? 2 : 8;
       input.setAttribute("aria-label", `${tr(label)}: ${name}`);
-      input.dataset.at = `${one.file} ${key}`;
-      if (this.isIn(one) && NEEDED.includes(key) && !input.value)
+      input.dataset.at = `${preview.file} ${key}`;
+      if (this.isIn(preview) && NEEDED.includes(key) && !input.value)
         input.setAttribute("aria-invalid", "true");
       input.addEventListener("change", () => {
-        this.typed(one.file)[key] = input.value.trim();
-        this.refused.delete(one.file);
+        this.typed(preview.file)[key] = input.value.trim();
+        this.refused.delete(preview.file);
         this.changed();
       });
       return input;
     });
-    if (one.missing.some(({ what }) => what === "sign") && ["spring", "tyre"].includes(kind))
+    if (preview.missing.some(({ what }) => what === "sign") && ["spring", "tyre"].includes(kind))
       for (const key of ["stroke_positive", "force_positive"])
-        shown.push(this.choice(one, key, CHOICES[key]!, name));
+        shown.push(this.choice(preview, key, CHOICES[key]!, name));
     if (isData && kind) {
       const columns = make(
         "button",
         { type: "button", "aria-label": `${tr("Columns")}: ${name}` },
         "Columns",
       );
-      columns.addEventListener("click", () => this.read(one, kind));
+      columns.addEventListener("click", () => this.read(preview, kind));
       return [...shown, columns];
     }
     return shown;
   }
 
   /** Names, units and signs of a file's columns, for all ticked files with the same ones. */
-  private read(one: Preview, kind: string): void {
+  private read(preview: Preview, kind: string): void {
     const form = kind === "spring" || kind === "tyre" ? "force-deflection" : "recording";
     const given: Partial<Fields> = {
-      columns: this.list.columns[one.file] ?? (one.fields.columns as Record<string, string>) ?? {},
-      stroke_positive: this.value(one, "stroke_positive"),
-      force_positive: this.value(one, "force_positive"),
-      sample_time: String(one.fields.sample_time ?? ""),
+      columns:
+        this.list.columns[preview.file] ?? (preview.fields.columns as Record<string, string>) ?? {},
+      stroke_positive: this.value(preview, "stroke_positive"),
+      force_positive: this.value(preview, "force_positive"),
+      sample_time: String(preview.fields.sample_time ?? ""),
     };
-    const reading = new Reading(one.file, form, given),
-      like = this.alike(one);
+    const reading = new Reading(preview.file, form, given),
+      like = this.alike(preview);
     const use = make(
         "button",
         { type: "button", class: "main" },
@@ -638,7 +643,7 @@ class Table {
       make(
         "section",
         { class: "job" },
-        make("h2", {}, one.file),
+        make("h2", {}, preview.file),
         reading.element,
         make("p", { class: "bar" }, use, close),
       ),
@@ -694,14 +699,14 @@ class Table {
       holder.replaceChildren(value);
     });
     set.addEventListener("click", () => {
-      for (const one of this.previews) {
-        const kind = this.value(one, "kind");
+      for (const preview of this.previews) {
+        const kind = this.value(preview, "kind");
         const fits =
           key.value === "kind"
-            ? one.columns.length > 0
+            ? preview.columns.length > 0
             : key.value.endsWith("_positive") ||
               (INPUTS[kind] ?? []).some(([own]) => own === key.value);
-        if (this.isIn(one) && fits) this.typed(one.file)[key.value] = value.value.trim();
+        if (this.isIn(preview) && fits) this.typed(preview.file)[key.value] = value.value.trim();
       }
       this.refused.clear();
       this.changed();
@@ -718,7 +723,7 @@ class Table {
   /** A table of trials copied from a spreadsheet, and settings of a laboratory among the files. */
   private tables(): HTMLElement[] {
     const shown: HTMLElement[] = [];
-    const settings = this.previews.find((one) => one.kind === "settings");
+    const settings = this.previews.find((preview) => preview.kind === "settings");
     if (settings) {
       const go = make("button", { type: "button" }, "Make the campaign from the settings file"),
         out = "campaign";
@@ -742,7 +747,7 @@ class Table {
         ),
       );
     }
-    if (!this.previews.some((one) => this.value(one, "kind") === "trial")) return shown;
+    if (!this.previews.some((preview) => this.value(preview, "kind") === "trial")) return shown;
     const area = make("textarea", {
         rows: "4",
         spellcheck: "false",
@@ -774,7 +779,9 @@ class Table {
   /** The campaign that the files enter: one of the project, or a new one with its rig and obstacle. */
   private target(): HTMLElement {
     const to = this.list.target,
-      campaigns = this.entries.filter((one) => one.kind === "campaign").map((one) => one.path);
+      campaigns = this.entries
+        .filter((entry) => entry.kind === "campaign")
+        .map((entry) => entry.path);
     const choice = make(
       "select",
       {},
@@ -785,8 +792,8 @@ class Table {
     );
     const rigs = [
       ...this.entries
-        .filter((one) => one.kind === "rig" && !one.path.includes("@"))
-        .map((one) => one.path),
+        .filter((entry) => entry.kind === "rig" && !entry.path.includes("@"))
+        .map((entry) => entry.path),
       ...this.library.map((one) => one.name),
     ];
     const control = (key: string, made: HTMLInputElement | HTMLSelectElement) => {
@@ -805,7 +812,7 @@ class Table {
       field("Folder", control("folder", textBox("campaign"))),
       field(
         "Rig",
-        control("rig", select(rigs, rigs.find((one) => one.endsWith(".toml")) ?? quarter)),
+        control("rig", select(rigs, rigs.find((rig) => rig.endsWith(".toml")) ?? quarter)),
       ),
       field(
         "Obstacle",
@@ -828,18 +835,18 @@ class Table {
     return make("div", { class: "form" }, field("Campaign", choice), parts, this.enterButton);
   }
 
-  private fields(one: Preview): { use: string; fields: object } {
-    const kind = this.value(one, "kind");
+  private fields(preview: Preview): { use: string; fields: object } {
+    const kind = this.value(preview, "kind");
     const typed = Object.fromEntries(
-      (INPUTS[kind] ?? []).map(([key]) => [key, this.value(one, key)]),
+      (INPUTS[kind] ?? []).map(([key]) => [key, this.value(preview, key)]),
     );
-    const { columns, channel, strut_angle, sample_time } = one.fields;
+    const { columns, channel, strut_angle, sample_time } = preview.fields;
     const read = {
       columns,
-      stroke_positive: this.value(one, "stroke_positive"),
-      ...(kind === "decay" ? {} : { force_positive: this.value(one, "force_positive") }),
+      stroke_positive: this.value(preview, "stroke_positive"),
+      ...(kind === "decay" ? {} : { force_positive: this.value(preview, "force_positive") }),
     };
-    const time = this.value(one, "sample_time") || sample_time || "";
+    const time = this.value(preview, "sample_time") || sample_time || "";
     if (kind === "trial")
       return {
         use: kind,
@@ -849,7 +856,7 @@ class Table {
           sample_time: time,
           strut_angle,
           number: /^\d+$/.test(typed.number ?? "") ? Number(typed.number) : typed.number,
-          recording: one.file,
+          recording: preview.file,
         },
       };
     return {
@@ -857,7 +864,7 @@ class Table {
       fields: {
         ...typed,
         ...read,
-        files: [one.file],
+        files: [preview.file],
         ...(kind === "decay" ? { channel, sample_time: time } : {}),
       },
     };
@@ -866,7 +873,7 @@ class Table {
   private async enter(): Promise<void> {
     const to = this.list.target,
       isNew = to.campaign === NEW;
-    const chosen = this.previews.filter((one) => this.isIn(one));
+    const chosen = this.previews.filter((preview) => this.isIn(preview));
     const path = isNew
       ? `${(to.folder || "campaign").replace(/\/+$/, "")}/campaign.toml`
       : to.campaign!;
@@ -881,7 +888,11 @@ class Table {
             },
           }
         : {}),
-      files: chosen.map((one) => ({ ...this.fields(one), file: one.file, state: one.state })),
+      files: chosen.map((preview) => ({
+        ...this.fields(preview),
+        file: preview.file,
+        state: preview.state,
+      })),
     };
     let reply: Entered;
     try {
@@ -899,19 +910,19 @@ class Table {
         new Refused(message, german).message,
       ]),
     );
-    this.list.paths = this.list.paths.filter((one) => !reply.entered.includes(one));
-    for (const one of reply.entered) {
-      delete this.list.typed[one];
-      delete this.list.columns[one];
+    this.list.paths = this.list.paths.filter((path) => !reply.entered.includes(path));
+    for (const text of reply.entered) {
+      delete this.list.typed[text];
+      delete this.list.columns[text];
     }
-    this.previews = this.previews.filter((one) => this.list.paths.includes(one.file));
+    this.previews = this.previews.filter((preview) => this.list.paths.includes(preview.file));
     if (reply.entered.length) {
       to.campaign = path;
       this.done = [...this.done, ...reply.entered];
-      if (isNew && !this.entries.some((one) => one.path === path))
+      if (isNew && !this.entries.some((entry) => entry.path === path))
         this.entries.push({ path, kind: "campaign" } as api.Entry);
     }
-    if (!this.previews.some((one) => this.isIn(one)) && reply.entered.length) {
+    if (!this.previews.some((preview) => this.isIn(preview)) && reply.entered.length) {
       Object.assign(this.list, { ...empty(), target: to });
       this.keep();
       goTo(this.place, "campaign", { file: path });

@@ -66,11 +66,11 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     api.get<Choices>("/api/choices"),
     api.library(),
   ]);
-  const records = entries.filter((one) => one.kind === "record").map((one) => one.path),
-    stores = entries.filter((one) => one.kind === "store").map((one) => one.path);
+  const records = entries.filter((entry) => entry.kind === "record").map((entry) => entry.path),
+    stores = entries.filter((entry) => entry.kind === "store").map((entry) => entry.path);
   const rigs = [
-    ...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path),
-    ...library.map((one) => one.name),
+    ...entries.filter((entry) => VEHICLES.includes(entry.kind)).map((entry) => entry.path),
+    ...library.map((shippedRig) => shippedRig.name),
   ];
   const store = select(stores),
     search_ = search(store, choices),
@@ -102,7 +102,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     enter(controls, was.evaluate);
     enter(test.controls, was.simulate);
   });
-  for (const one of [element, test.element]) drafts.hear(one);
+  for (const area of [element, test.element]) drafts.hear(area);
   offered();
   place.replaceChildren(
     make("h1", {}, "Inspection"),
@@ -129,7 +129,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
 
 /** Adds missing names to a choice. */
 function offer(choice: HTMLSelectElement, names: string[]): void {
-  const known = new Set([...choice.options].map((one) => one.value));
+  const known = new Set([...choice.options].map((option) => option.value));
   choice.append(
     ...names
       .filter((name) => !known.has(name))
@@ -151,7 +151,7 @@ function evaluation(
     other = optional("none", records),
     tester = select(
       choices.testers,
-      choices.testers.find((one) => one.includes("egea")),
+      choices.testers.find((tester) => tester.includes("egea")),
     ),
     vehicle = optional("not specified", rigs);
   const method = optional("the tester's own", choices.methods),
@@ -161,7 +161,7 @@ function evaluation(
     by = textBox(),
     languages: Record<string, string> = { en: "English", de: "Deutsch" },
     language = select(["en", "de"], isGerman ? "de" : "en", (value) => languages[value]!);
-  for (const one of language.options) one.lang = one.value;
+  for (const option of language.options) option.lang = option.value;
   const look = make("button", { type: "button" }, "View the record"),
     looked = make("div", {});
   look.addEventListener("click", () => {
@@ -228,7 +228,7 @@ function evaluation(
   const here = () => {
     const before = record.value;
     return (paths: string[]) => {
-      for (const one of [record, other]) offer(one, paths);
+      for (const select of [record, other]) offer(select, paths);
       if (record.value === before || !before) record.value = paths[0]!;
       whole.hidden = false;
       none.hidden = true;
@@ -266,8 +266,8 @@ function reopened(store: string, records: number[], place: HTMLElement): void {
 
 /** A button that opens the protocol of the records of one visit. */
 function opens(store: string, visit: Visit[], place: HTMLElement): HTMLButtonElement {
-  const records = [...visit].sort((one, other) => one.axle.localeCompare(other.axle)),
-    numbers = records.map((one) => one.number),
+  const records = [...visit].sort((visit, other) => visit.axle.localeCompare(other.axle)),
+    numbers = records.map((record) => record.number),
     button = make(
       "button",
       { type: "button", "aria-label": `protocol of record ${numbers.join(", ")}` },
@@ -286,56 +286,57 @@ interface Visit {
 /** The records of a test: this one, and that of the other axle of the same plate and day if there is just one. */
 function visitOf(own: Stored, records: Stored[]): Visit[] {
   const others = records.filter(
-    (one) =>
+    (record) =>
       own.plate &&
       own.axle &&
       own.date &&
-      one.axle &&
-      one.axle !== own.axle &&
-      one.plate === own.plate &&
-      one.date === own.date,
+      record.axle &&
+      record.axle !== own.axle &&
+      record.plate === own.plate &&
+      record.date === own.date,
   );
   return others.length === 1 ? [own, others[0]!] : [own];
 }
 
 /** Verdicts first, then the values of each wheel, and the reasons. */
-function graded(found: Graded): HTMLElement[] {
-  const { wheels } = found,
+function graded(grading: Graded): HTMLElement[] {
+  const { wheels } = grading,
     shown: HTMLElement[] = [];
-  if (found.error) shown.push(make("p", { class: "problem", role: "alert" }, found.error.message));
+  if (grading.error)
+    shown.push(make("p", { class: "problem", role: "alert" }, grading.error.message));
   shown.push(
     make(
       "p",
       { class: "bar" },
       "verdict: ",
-      mark(found.verdict),
+      mark(grading.verdict),
       make(
         "span",
         { class: "muted" },
-        `${found.deciding.join(", ")} decides; limits: ${found.limits.label}`,
+        `${grading.deciding.join(", ")} decides; limits: ${grading.limits.label}`,
       ),
-      ...(found.store
+      ...(grading.store
         ? [
             make(
               "span",
               { class: "good" },
-              `saved in the store as record ${found.store.records.join(", ")}`,
+              `saved in the store as record ${grading.store.records.join(", ")}`,
             ),
           ]
         : []),
     ),
   );
   const quantities = WHEEL_QUANTITIES.filter(([name]) =>
-    wheels.some((one) => typeof one[name] === "number"),
+    wheels.some((wheel) => typeof wheel[name] === "number"),
   );
-  const name = (one: Wheel) =>
-    [one.axle, one.wheel]
+  const name = (wheel: Wheel) =>
+    [wheel.axle, wheel.wheel]
       .filter(Boolean)
       .map((word) => tr(word!))
       .join(" ");
-  const cell = (one: Wheel, key: string, factor: number) => {
-    const value = one[key],
-      doubt = one.uncertainty?.[key];
+  const cell = (wheel: Wheel, key: string, factor: number) => {
+    const value = wheel[key],
+      doubt = wheel.uncertainty?.[key];
     if (typeof value !== "number") return "–";
     if (!doubt || !value) return written(value * factor);
     const place = (x: number) => Math.floor(Math.log10(Math.abs(x * factor)));
@@ -343,22 +344,22 @@ function graded(found: Graded): HTMLElement[] {
     const up = Math.ceil(doubt * factor * 10 ** decimals - 1e-9) / 10 ** decimals;
     return `${localised((value * factor).toFixed(decimals))} ± ${localised(up.toFixed(decimals))}`;
   };
-  const methods = [...new Set(wheels.flatMap((one) => Object.keys(one.grade)))];
+  const methods = [...new Set(wheels.flatMap((wheel) => Object.keys(wheel.grade)))];
   shown.push(
     table(
       "wheels",
       ["wheel", ...wheels.map(name), "unit"],
       [
-        [tr("verdict"), ...wheels.map((one) => mark(one.verdict)), ""],
+        [tr("verdict"), ...wheels.map((wheel) => mark(wheel.verdict)), ""],
         ...quantities.map(([key, words, unit, factor]) => [
           words,
-          ...wheels.map((one) => cell(one, key, factor)),
+          ...wheels.map((wheel) => cell(wheel, key, factor)),
           unit,
         ]),
         ...methods.map((method) => [
           tr("grade #", method.toUpperCase()),
           ...wheels.map(
-            (one) => (isGerman && one.german?.grade?.[method]) || one.grade[method] || "–",
+            (wheel) => (isGerman && wheel.german?.grade?.[method]) || wheel.grade[method] || "–",
           ),
           "",
         ]),
@@ -367,17 +368,17 @@ function graded(found: Graded): HTMLElement[] {
     ),
   );
   const reasons = [
-    ...wheels.flatMap((one) =>
-      reasonsOf(one).map((text) => make("li", {}, `${name(one)}: `, text)),
+    ...wheels.flatMap((wheel) =>
+      reasonsOf(wheel).map((text) => make("li", {}, `${name(wheel)}: `, text)),
     ),
-    ...reasonsOf(found.axle).map((text) => make("li", {}, text)),
-    ...wheels.flatMap((one) =>
+    ...reasonsOf(grading.axle).map((text) => make("li", {}, text)),
+    ...wheels.flatMap((wheel) =>
       advised(
-        one.findings.map((finding) => ({ ...finding, place: name(one) })),
+        wheel.findings.map((finding) => ({ ...finding, place: name(wheel) })),
         "li",
       ),
     ),
-    ...advised(found.findings ?? [], "li"),
+    ...advised(grading.findings ?? [], "li"),
   ];
   shown.push(
     make(
@@ -404,11 +405,11 @@ function simulated(
 ): { element: HTMLElement; controls: Controls } {
   const rig = select(
       rigs,
-      rigs.find((one) => one === "audi-a6-half-car-4dof"),
+      rigs.find((rig) => rig === "audi-a6-half-car-4dof"),
     ),
     tester = select(
       choices.testers,
-      choices.testers.find((one) => one.includes("egea")),
+      choices.testers.find((tester) => tester.includes("egea")),
     );
   const wear = textBox("", "0.4"),
     wheel = select(["both", "left", "right"], "both", (value) => tr(value)),
@@ -494,10 +495,10 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
       const { records } = reply.result;
       if (!records.length)
         return [make("p", { class: "empty" }, "No matching records."), snippets(reply)];
-      const rows = records.map((one) => {
+      const rows = records.map((stored) => {
         const button = make(
           "button",
-          { type: "button", "aria-label": `history of ${one.plate}` },
+          { type: "button", "aria-label": `history of ${stored.plate}` },
           tr("history"),
         );
         button.addEventListener("click", () => {
@@ -508,26 +509,31 @@ function search(store: HTMLSelectElement, choices: Choices): HTMLElement {
             wheels: { record: number; date: string; axle: string }[];
           }>(
             "Again",
-            () => ({ kind: "history", store: asked.store, plate: one.plate }),
-            (found) => [
-              make("h3", {}, `History of ${found.result.plate}`),
-              ...trends(found.result.trends),
-              visits(asked.store, found.result.wheels, history),
-              report(found.report, "Every visit"),
-              snippets(found),
+            () => ({ kind: "history", store: asked.store, plate: stored.plate }),
+            (reply) => [
+              make("h3", {}, `History of ${reply.result.plate}`),
+              ...trends(reply.result.trends),
+              visits(asked.store, reply.result.wheels, history),
+              report(reply.report, "Every visit"),
+              snippets(reply),
             ],
           );
           history.replaceChildren(past.place);
           void past.ask();
         });
         return [
-          String(one.number),
-          ...[one.date, one.plate, one.vehicle, one.axle, one.tester, one.name].map(
-            (text) => text || "–",
-          ),
-          one.verdict ? mark(one.verdict) : "–",
-          make("span", { class: "bar" }, opens(asked.store, visitOf(one, records), history)),
-          one.plate ? button : "",
+          String(stored.number),
+          ...[
+            stored.date,
+            stored.plate,
+            stored.vehicle,
+            stored.axle,
+            stored.tester,
+            stored.name,
+          ].map((text) => text || "–"),
+          stored.verdict ? mark(stored.verdict) : "–",
+          make("span", { class: "bar" }, opens(asked.store, visitOf(stored, records), history)),
+          stored.plate ? button : "",
         ];
       });
       return [
@@ -567,7 +573,7 @@ function visits(
   wheels: { record: number; date: string; axle: string }[],
   place: HTMLElement,
 ): HTMLElement {
-  const records = new Map(wheels.map((one) => [one.record, one]));
+  const records = new Map(wheels.map((wheel) => [wheel.record, wheel]));
   return make(
     "ul",
     {},
@@ -582,22 +588,22 @@ function visits(
   );
 }
 
-function trends(found: Trend[]): HTMLElement[] {
-  if (!found.length) return [make("p", { class: "muted" }, "One visit shows no trend.")];
+function trends(rows: Trend[]): HTMLElement[] {
+  if (!rows.length) return [make("p", { class: "muted" }, "One visit shows no trend.")];
   return [
     table(
       "change per year",
       ["axle", "wheel", "value", "change per year", "unit", "visits"],
-      found.map((one) => {
-        const [, words = one.quantity, unit = "", factor = 1] =
-          WHEEL_QUANTITIES.find(([name]) => name === one.quantity) ?? [];
+      rows.map((row) => {
+        const [, words = row.quantity, unit = "", factor = 1] =
+          WHEEL_QUANTITIES.find(([name]) => name === row.quantity) ?? [];
         return [
-          one.axle || "–",
-          one.wheel,
+          row.axle || "–",
+          row.wheel,
           words,
-          written(one.change_per_year * factor, 3),
+          written(row.change_per_year * factor, 3),
           unit,
-          String(one.visits),
+          String(row.visits),
         ];
       }),
       [3, 5],

@@ -37,7 +37,7 @@ interface Kept {
   targets: Target[];
   changes: Record<string, number>;
 }
-let kept: Kept | null = null;
+let stored: Kept | null = null;
 interface Extra {
   centres: Centres | null;
   targets: Band[];
@@ -79,7 +79,7 @@ class Drive {
     this.range.addEventListener("change", () => {
       const [first, last] = fromField(this.range.value)
         .split(":")
-        .map((one) => parseFloat(one));
+        .map((part) => parseFloat(part));
       if (Number.isFinite(first) && Number.isFinite(last)) {
         this.slider.min = String(first);
         this.slider.max = String(last);
@@ -128,8 +128,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     api.folder(),
   ]);
   if (!place.isConnected) return;
-  const before = kept?.rig === name ? kept : null;
-  kept = null;
+  const before = stored?.rig === name ? stored : null;
+  stored = null;
   if (!rig.spatial) {
     place.replaceChildren(
       make("h1", {}, name),
@@ -143,9 +143,11 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     );
     return;
   }
-  const isSmall = rig.numbers.some((one) => one.path === "wheel.radius" && one.value < 0.18);
-  const hasRack = rig.numbers.some((one) =>
-    /^hardpoints\.(tie_rod|link_5)_inner\[0\]$/.test(one.path),
+  const isSmall = rig.numbers.some(
+    (parameter) => parameter.path === "wheel.radius" && parameter.value < 0.18,
+  );
+  const hasRack = rig.numbers.some((parameter) =>
+    /^hardpoints\.(tie_rod|link_5)_inner\[0\]$/.test(parameter.path),
   );
   const reach = isSmall ? 20 : 50,
     newest = new Newest(),
@@ -210,12 +212,17 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     [
       [
         tr("earlier versions"),
-        earlier.map((one) => [one.name, `${tr("replaced")} ${moment(one.replaced * 1000)}`]),
+        earlier.map((version) => [
+          version.name,
+          `${tr("replaced")} ${moment(version.replaced * 1000)}`,
+        ]),
       ],
-      [tr("this project"), rigs.map((one) => [one, one])],
+      [tr("this project"), rigs.map((rig) => [rig, rig])],
       [
         tr("shipped"),
-        shipped.filter((one) => one.has_hardpoints).map((one) => [one.name, one.name]),
+        shipped
+          .filter((shippedRig) => shippedRig.has_hardpoints)
+          .map((shipped) => [shipped.name, shipped.name]),
       ],
     ],
     () => void ask(),
@@ -263,7 +270,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   };
   let ground = (_: number) => 0;
   const points = rig.numbers
-    .map((one) => one.path)
+    .map((parameter) => parameter.path)
     .filter((path) => /ball_joint\[2\]|tie_rod_(inner|outer)\[2\]/.test(path))
     .slice(0, 4);
   const sliders = new Sliders(
@@ -338,8 +345,12 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       if (!place.isConnected) return;
       const began = performance.now(),
         now = over.value as Over,
-        text = (one: Drive) =>
-          one.name === now ? one.range.value : one.value ? `${one.value} ${one.unit}` : "";
+        text = (drive: Drive) =>
+          drive.name === now
+            ? drive.range.value
+            : drive.value
+              ? `${drive.value} ${drive.unit}`
+              : "";
       const waiting = setTimeout(() => {
         state.textContent = tr(
           "computing; the first run compiles the model, which takes a few seconds",
@@ -389,7 +400,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         multiples.show(model, store, extra.targets);
         pose();
         notes.replaceChildren(
-          ...extra.notes.map((one) => make("p", { class: "muted" }, asSaid(one))),
+          ...extra.notes.map((note) => make("p", { class: "muted" }, asSaid(note))),
         );
         legend.replaceChildren(
           ...(model.roles.length > 1 ? model.roles : []).map(({ role, label }) =>
@@ -436,7 +447,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     written_ = make("span", { "aria-live": "polite" });
   /** A number as it is written to the file (SI): lengths to a micrometre, others with six digits. */
   const asWritten = (path: string, value: number): number => {
-    const own = rig.numbers.find((one) => one.path === path);
+    const own = rig.numbers.find((parameter) => parameter.path === path);
     if (!own) return value;
     const shown = value * own.factor,
       text = own.unit === "mm" ? shown.toFixed(3) : shown.toPrecision(6);
@@ -450,7 +461,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       later = moved().filter(({ path, value }) =>
         path in changes ? asWritten(path, value) !== changes[path] : value !== inFile.get(path),
       );
-    kept = {
+    stored = {
       rig: name,
       said: tr("Saved. The previous state is under earlier versions."),
       targets,
@@ -474,8 +485,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       (async () => {
         try {
           const file = await api.file(name),
-            found = await api.form(name, file.text, [], changes);
-          if (found.problems.length) throw new Error(found.problems[0]!.text);
+            form = await api.form(name, file.text, [], changes);
+          if (form.problems.length) throw new Error(form.problems[0]!.text);
           const yes = make("button", { type: "button", class: "main" }, tr("Write to the file")),
             no = make("button", { type: "button" }, tr("Back"));
           no.addEventListener("click", () => {
@@ -483,11 +494,11 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
             write.focus();
           });
           yes.addEventListener("click", () => {
-            once(yes, save(found.text, file.digest, changes)).catch((error) =>
+            once(yes, save(form.text, file.digest, changes)).catch((error) =>
               written_.replaceChildren(problem(error)),
             );
           });
-          review.replaceChildren(difference(found.changed, yes, no));
+          review.replaceChildren(difference(form.changed, yes, no));
           yes.focus();
         } catch (error) {
           written_.replaceChildren(problem(error));
@@ -529,7 +540,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       "div",
       { class: "sliders drives" },
       ...(["travel", ...(hasRack ? ["rack"] : []), "roll"] as Over[]).map(
-        (one) => drives[one].element,
+        (motion) => drives[motion].element,
       ),
     ),
     outdated.element,
@@ -574,8 +585,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
 
 function nearest(grid: number[], value: number): number {
   let best = 0;
-  grid.forEach((one, i) => {
-    if (Math.abs(one - value) < Math.abs(grid[best]! - value)) best = i;
+  grid.forEach((sample, i) => {
+    if (Math.abs(sample - value) < Math.abs(grid[best]! - value)) best = i;
   });
   return best;
 }
@@ -610,9 +621,9 @@ class Targets {
       tolerance = make("input", { type: "text", value: "0.1 deg" }),
       where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
     const unit = () => {
-      const found = this.quantities().find((one) => one.name === this.quantity.value);
-      if (found) {
-        const text = found.unit.replace("°", "deg");
+      const quantity = this.quantities().find((quantity) => quantity.name === this.quantity.value);
+      if (quantity) {
+        const text = quantity.unit.replace("°", "deg");
         value.value = `0 ${text}`.trim();
         tolerance.value = inField(`0.1 ${text}`.trim());
       }
@@ -649,12 +660,12 @@ class Targets {
   }
   /** Offers the quantities of the curves. */
   offer(): void {
-    const names = this.quantities().map((one) => one.name);
+    const names = this.quantities().map((quantity) => quantity.name);
     if (names.join() === this.known) return;
     this.known = names.join();
     const before = this.quantity.value;
     this.quantity.replaceChildren(
-      ...names.map((one) => make("option", { value: one }, quantity(one))),
+      ...names.map((name) => make("option", { value: name }, quantity(name))),
     );
     if (names.includes(before)) this.quantity.value = before;
     this.adds.disabled = !names.length;
@@ -662,24 +673,24 @@ class Targets {
   list(): void {
     this.rows.replaceChildren(
       ...(this.targets.length
-        ? this.targets.map((one, i) =>
+        ? this.targets.map((target, i) =>
             make(
               "tr",
               {},
-              make("th", { scope: "row" }, quantity(one.quantity)),
+              make("th", { scope: "row" }, quantity(target.quantity)),
               make(
                 "td",
                 {},
-                one.value !== undefined
-                  ? `= ${one.value} ± ${one.tolerance}`
-                  : one.at_least !== undefined
-                    ? `≥ ${one.at_least} − ${one.tolerance}`
-                    : `≤ ${one.at_most} + ${one.tolerance}`,
+                target.value !== undefined
+                  ? `= ${target.value} ± ${target.tolerance}`
+                  : target.at_least !== undefined
+                    ? `≥ ${target.at_least} − ${target.tolerance}`
+                    : `≤ ${target.at_most} + ${target.tolerance}`,
               ),
               make(
                 "td",
                 {},
-                `${one.over ?? one.at ?? tr("at design")}${one.along ? ` (${tr("rack travel")})` : ""}`,
+                `${target.over ?? target.at ?? tr("at design")}${target.along ? ` (${tr("rack travel")})` : ""}`,
               ),
               make(
                 "td",
@@ -688,7 +699,7 @@ class Targets {
                   "button",
                   {
                     type: "button",
-                    "aria-label": tr("Remove #", one.quantity),
+                    "aria-label": tr("Remove #", target.quantity),
                     click: () => {
                       this.targets.splice(i, 1);
                       this.list();

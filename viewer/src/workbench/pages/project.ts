@@ -54,7 +54,9 @@ export async function show(place: HTMLElement): Promise<void> {
   const choice = make(
     "select",
     {},
-    ...library.map((one) => make("option", { value: one.name }, `${one.name} (${kindOf(one)})`)),
+    ...library.map((shippedRig) =>
+      make("option", { value: shippedRig.name }, `${shippedRig.name} (${kindOf(shippedRig)})`),
+    ),
   );
   const target = make("input", {
     type: "text",
@@ -103,14 +105,14 @@ export async function show(place: HTMLElement): Promise<void> {
     make("h2", {}, tr("Start from an example")),
     form,
     status,
-    gallery(library, (one) => [
+    gallery(library, (shipped) => [
       make(
         "button",
         {
           type: "button",
-          "aria-label": `${tr("choose")}: ${one.name}`,
+          "aria-label": `${tr("choose")}: ${shipped.name}`,
           click: () => {
-            choice.value = one.name;
+            choice.value = shipped.name;
             choice.dispatchEvent(new Event("change"));
             target.focus();
             target.select();
@@ -118,7 +120,7 @@ export async function show(place: HTMLElement): Promise<void> {
         },
         tr("choose"),
       ),
-      make("a", { href: address("trial", { rig: one.name }) }, tr("drive")),
+      make("a", { href: address("trial", { rig: shipped.name }) }, tr("drive")),
     ]),
     ...(kept.length ? [make("h2", {}, tr("Saved runs")), history(kept)] : []),
     ...comparison(entries, kept, library),
@@ -132,7 +134,7 @@ const MOST_OTHERS = 5; // beside a rig that may be changed
 /** Rigs, campaigns and runs in a table of what differs, with links to their curves. */
 function comparison(
   entries: api.Entry[],
-  kept: Kept[],
+  savedRuns: Kept[],
   library: { name: string; has_hardpoints: boolean }[],
 ): HTMLElement[] {
   const of = (...kinds: string[]) =>
@@ -140,14 +142,14 @@ function comparison(
       .filter(({ kind }) => kinds.includes(kind))
       .map(({ path }): [string, string] => [path, path]);
   const corners = new Set(
-    [...entries.map((one) => ({ ...one, name: one.path })), ...library]
+    [...entries.map((entry) => ({ ...entry, name: entry.path })), ...library]
       .filter((one) => one.has_hardpoints)
       .map((one) => one.name),
   );
-  const runs = new Set(kept.map(({ path }) => path)),
+  const runs = new Set(savedRuns.map(({ path }) => path)),
     rigs = new Set([
       ...of("rig", "vehicle").map(([path]) => path),
-      ...library.map((one) => one.name),
+      ...library.map((shippedRig) => shippedRig.name),
     ]);
   const differing = new Differing(true),
     out = make("div", { "aria-live": "polite" });
@@ -189,7 +191,7 @@ function comparison(
   };
   const groups: [string, [string, string][]][] = [
     [tr("this project"), of("rig", "vehicle")],
-    [tr("saved runs"), kept.map(({ path }) => [path, path.replace(/^runs\//, "")])],
+    [tr("saved runs"), savedRuns.map(({ path }) => [path, path.replace(/^runs\//, "")])],
     [tr("campaigns"), of("campaign")],
     [tr("shipped"), library.map(({ name }) => [name, name])],
   ];
@@ -254,7 +256,7 @@ interface Usable {
 }
 async function usable(entries: api.Entry[]): Promise<Usable> {
   const broken: string[] = [];
-  for (const rig of entries.filter((one) => one.kind === "rig").slice(0, MOST_TRIED)) {
+  for (const rig of entries.filter((entry) => entry.kind === "rig").slice(0, MOST_TRIED)) {
     try {
       await api.rig(rig.path);
       return { rig, broken };
@@ -269,17 +271,17 @@ const MOST_TRIED = 5;
 /** Suggested next steps. */
 function next(
   entries: api.Entry[],
-  kept: Kept[],
+  savedRuns: Kept[],
   jobs: Begun[],
   { rig, broken }: Usable,
 ): HTMLElement {
-  const of = (kind: string) => entries.filter((one) => one.kind === kind),
-    record = of("record").find((one) => !kept.some(({ path }) => path === one.path));
+  const of = (kind: string) => entries.filter((entry) => entry.kind === kind),
+    record = of("record").find((entry) => !savedRuns.some(({ path }) => path === entry.path));
   const steps: HTMLElement[] = [];
   for (const { path } of of("campaign")) {
     const isRun =
       jobs.some((job) => job.asked?.campaign === path) ||
-      of("results").some((one) => one.path.startsWith(path.replace(/[^/]*$/, "results")));
+      of("results").some((entry) => entry.path.startsWith(path.replace(/[^/]*$/, "results")));
     if (!isRun)
       steps.push(
         make(
@@ -314,7 +316,7 @@ function next(
       ),
     );
   else if (rig) {
-    if (!kept.length)
+    if (!savedRuns.length)
       steps.push(
         make(
           "li",
@@ -327,7 +329,7 @@ function next(
           tr(" and save the run."),
         ),
       );
-    if (kept.length === 1)
+    if (savedRuns.length === 1)
       steps.push(
         make(
           "li",
@@ -374,16 +376,20 @@ function next(
 }
 
 /** Saved runs with their inputs; selected ones are overlaid. */
-function history(kept: Kept[]): HTMLElement {
-  const boxes = kept.map((one, i) =>
-      make("input", { type: "checkbox", "aria-label": tr("compare #", one.path), checked: i < 2 }),
+function history(savedRuns: Kept[]): HTMLElement {
+  const boxes = savedRuns.map((savedRun, i) =>
+      make("input", {
+        type: "checkbox",
+        "aria-label": tr("compare #", savedRun.path),
+        checked: i < 2,
+      }),
     ),
     out = make("div", {}),
     differing = new Differing(true);
   const compare = make("button", { type: "button" }, tr("Compare selected runs"));
   const short = (digest: string) => make("code", { title: digest }, digest.slice(0, 8));
   compare.addEventListener("click", () => {
-    const paths = kept.filter((_, i) => boxes[i]!.checked).map((one) => one.path);
+    const paths = savedRuns.filter((_, i) => boxes[i]!.checked).map((savedRun) => savedRun.path);
     if (!paths.length || paths.length > MOST_RUNS) {
       const words = paths.length
         ? tr("Select at most # runs: more curves cannot be told apart.", String(MOST_RUNS))
@@ -435,7 +441,7 @@ function history(kept: Kept[]): HTMLElement {
       make(
         "tbody",
         {},
-        ...kept.map((one, i) =>
+        ...savedRuns.map((savedRun, i) =>
           make(
             "tr",
             {},
@@ -445,26 +451,26 @@ function history(kept: Kept[]): HTMLElement {
               { scope: "row" },
               make(
                 "a",
-                { href: address("record", { path: one.path }) },
-                one.path.replace(/^runs\//, ""),
+                { href: address("record", { path: savedRun.path }) },
+                savedRun.path.replace(/^runs\//, ""),
               ),
             ),
-            make("td", {}, one.rig),
+            make("td", {}, savedRun.rig),
             make(
               "td",
               {},
-              Object.entries(one.changes)
+              Object.entries(savedRun.changes)
                 .map(
                   ([path, value]) =>
                     `${path} = ${typeof value === "number" ? written(value, 5) : value}`,
                 )
                 .join(", ") || "–",
             ),
-            make("td", {}, road(one)),
-            make("td", {}, short(one.rig_digest), " ", short(one.trial_digest)),
-            make("td", {}, one.seed === null ? "–" : String(one.seed)),
-            make("td", {}, one.version),
-            make("td", {}, moment(1000 * one.when)),
+            make("td", {}, road(savedRun)),
+            make("td", {}, short(savedRun.rig_digest), " ", short(savedRun.trial_digest)),
+            make("td", {}, savedRun.seed === null ? "–" : String(savedRun.seed)),
+            make("td", {}, savedRun.version),
+            make("td", {}, moment(1000 * savedRun.when)),
           ),
         ),
       ),

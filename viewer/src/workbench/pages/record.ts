@@ -34,8 +34,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     about = await api.get<About>(`/api/record?${api.query({ path })}`);
   if (!place.isConnected) return;
   const shown = new Set([
-      ...about.channels.map((one) => one.name).filter((one) => Number.isFinite(offer.rank(one))),
-      ...about.channels.slice(0, AT_FIRST).map((one) => one.name),
+      ...about.channels
+        .map((channel) => channel.name)
+        .filter((text) => Number.isFinite(offer.rank(text))),
+      ...about.channels.slice(0, AT_FIRST).map((channel) => channel.name),
     ]),
     newest = new Newest(),
     same = new LiveSnippets(),

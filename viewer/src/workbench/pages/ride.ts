@@ -54,13 +54,13 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     api.library(),
   ]);
   const rigs = [
-    ...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path),
-    ...library.map((one) => one.name),
+    ...entries.filter((entry) => VEHICLES.includes(entry.kind)).map((entry) => entry.path),
+    ...library.map((shippedRig) => shippedRig.name),
   ];
   const roads = [
-    ..."ABCDEFGH".split("").map((one) => `iso:${one}`),
+    ..."ABCDEFGH".split("").map((part) => `iso:${part}`),
     ...choices.roads,
-    ...entries.filter((one) => one.kind === "road").map((one) => one.path),
+    ...entries.filter((entry) => entry.kind === "road").map((entry) => entry.path),
   ];
   const vehicle = select(rigs, values.get("vehicle") ?? "audi-a6-quarter-car"),
     road = select(roads, values.get("road") ?? "iso:C"),
@@ -92,7 +92,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const chosen = [...controls.querySelectorAll<HTMLInputElement>("input:checked")].map(
-      (one) => one.value,
+      (element) => element.value,
     );
     const was = driven();
     once(
@@ -148,7 +148,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       speed,
       duration,
       seed,
-      ...Object.fromEntries(boxes.map((one) => [`control ${one.value}`, one])),
+      ...Object.fromEntries(boxes.map((box) => [`control ${box.value}`, box])),
     };
   const driven = () => entered(driving),
     search = pareto(rigs, roads, (was) => drafts?.done({ search: was })),
@@ -168,8 +168,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "Rides and fronts"),
     jobList(
       ["compare", "pareto"],
-      (one) => {
-        location.hash = address("ride", { job: one.id });
+      (job) => {
+        location.hash = address("ride", { job: job.id });
       },
       "No rides yet.",
     ),
@@ -199,7 +199,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       await search.restore(was.search);
     },
   );
-  for (const one of [form, search.element]) drafts.hear(one);
+  for (const element of [form, search.element]) drafts.hear(element);
   offers.replaceChildren(drafts.element);
 }
 
@@ -256,24 +256,24 @@ function overlay(): HTMLElement {
   boxes.hidden = asking.hidden = true;
   follow(section, (jobs) => {
     for (const job of jobs
-      .filter((one) => one.kind === "compare" && one.state === "done")
+      .filter((job) => job.kind === "compare" && job.state === "done")
       .reverse()) {
       const { control, ...drive } = job.asked as unknown as Omit<One, "control"> & {
         control: string[];
       };
       for (const name of control) {
-        const one = { ...drive, control: name },
-          key = JSON.stringify(one);
-        delete (one as { kind?: string }).kind;
+        const request = { ...drive, control: name },
+          key = JSON.stringify(request);
+        delete (request as { kind?: string }).kind;
         if (offered.has(key)) continue; // the same was driven before
         offered.add(key);
         const box = make("input", { type: "checkbox" });
         box.addEventListener("change", () => {
-          if (box.checked) chosen.set(key, one);
+          if (box.checked) chosen.set(key, request);
           else chosen.delete(key);
           question.button.disabled = !chosen.size;
         });
-        const changed = Object.entries(one.changes)
+        const changed = Object.entries(request.changes)
           .map(
             ([path, value]) =>
               `, ${path} = ${typeof value === "number" ? written(value, 4) : String(value)}`,
@@ -284,7 +284,7 @@ function overlay(): HTMLElement {
             "label",
             {},
             box,
-            ` ${titled(job.title)}${one.seed ? `, ${one.seed}` : ""}, ${name}${changed}`,
+            ` ${titled(job.title)}${request.seed ? `, ${request.seed}` : ""}, ${name}${changed}`,
           ),
         );
       }
@@ -324,7 +324,7 @@ function driveOf(
       name,
       String(asked[name] ?? ""),
     ]),
-    chosen = boxes.map((one) => [`control ${one.value}`, String(control.includes(one.value))]);
+    chosen = boxes.map((box) => [`control ${box.value}`, String(control.includes(box.value))]);
   return Object.fromEntries([...texts, ...chosen]);
 }
 
@@ -355,7 +355,7 @@ function pareto(
 } {
   const vehicle = select(rigs, "audi-a6-quarter-car"),
     road = select(
-      roads.filter((one) => one.startsWith("iso:")),
+      roads.filter((road) => road.startsWith("iso:")),
       "iso:C",
     ),
     speed = textBox("20 m/s"),
@@ -367,7 +367,10 @@ function pareto(
   const more = make("button", { type: "button" }, "Add a parameter"),
     go = make("button", { type: "button", class: "main" }, "Search");
   let numbers: api.RigNumber[] = [];
-  const add = (path = "", bounds = usualBounds(numbers.find((one) => one.path === path))) => {
+  const add = (
+    path = "",
+    bounds = usualBounds(numbers.find((parameter) => parameter.path === path)),
+  ) => {
     const which = make("input", {
         type: "text",
         value: path,
@@ -382,7 +385,9 @@ function pareto(
         "aria-label": "bounds",
       });
     which.addEventListener("change", () => {
-      within.value = usualBounds(numbers.find((one) => one.path === which.value.trim()));
+      within.value = usualBounds(
+        numbers.find((parameter) => parameter.path === which.value.trim()),
+      );
     });
     const away = make(
       "button",
@@ -399,12 +404,12 @@ function pareto(
     rows.replaceChildren(); // the numbers of another rig are none to be edited
     more.disabled = go.disabled = true;
     try {
-      const found = await api.rig(name);
+      const rig = await api.rig(name);
       if (vehicle.value !== name) return; // another one was chosen meanwhile
-      numbers = found.numbers;
-      const chosen = numbers.filter((one) => one.is_chosen),
-        dampers = chosen.filter((one) => one.si === DAMPING).slice(0, MOST_PROPOSED);
-      paths.replaceChildren(...chosen.map((one) => make("option", { value: one.path })));
+      numbers = rig.numbers;
+      const chosen = numbers.filter((parameter) => parameter.is_chosen),
+        dampers = chosen.filter((number) => number.si === DAMPING).slice(0, MOST_PROPOSED);
+      paths.replaceChildren(...chosen.map((number) => make("option", { value: number.path })));
       for (const { path } of dampers.length ? dampers : chosen.slice(0, 1)) add(path);
       more.disabled = go.disabled = false;
     } catch (error) {
@@ -421,7 +426,10 @@ function pareto(
       [...rows.children]
         .map(
           (row) =>
-            [...row.querySelectorAll("input")].map((one) => one.value.trim()) as [string, string],
+            [...row.querySelectorAll("input")].map((element) => element.value.trim()) as [
+              string,
+              string,
+            ],
         )
         .filter(([path]) => path),
     );
@@ -449,7 +457,7 @@ function pareto(
     state = () => ({
       form: entered(controls),
       rows: [...rows.children].map((row) =>
-        [...row.querySelectorAll("input")].map((one) => one.value),
+        [...row.querySelectorAll("input")].map((element) => element.value),
       ),
     });
   const restore = async (was: Searched) => {
@@ -521,38 +529,38 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
 }
 
 /** Comparison of controllers; the best value of each merit is marked. */
-function merits(found: Compared): HTMLElement[] {
+function merits(comparison: Compared): HTMLElement[] {
   const shown = MERITS.filter(([name]) =>
-    found.runs.some((one) => Number.isFinite(one.merits[name])),
+    comparison.runs.some((run) => Number.isFinite(run.merits[name])),
   );
   const best = Object.fromEntries(
     shown.map(([name]) => [
       name,
-      Math.min(...found.runs.map((one) => one.merits[name] ?? Infinity)),
+      Math.min(...comparison.runs.map((run) => run.merits[name] ?? Infinity)),
     ]),
   );
-  const passive = found.runs.find((one) => one.control === "passive");
+  const passive = comparison.runs.find((run) => run.control === "passive");
   return [
     table(
       "controllers",
       ["controller", ...shown.map(([, words, unit]) => `${tr(words)} [${unit}]`), "comfort"],
-      found.runs.map((one) => [
-        one.control,
+      comparison.runs.map((run) => [
+        run.control,
         ...shown.map(([name, , , factor]) => {
-          const value = one.merits[name],
+          const value = run.merits[name],
             before = passive?.merits[name];
           if (value === undefined) return "–";
-          const isBest = value === best[name] && found.runs.length > 1 && value > 0,
+          const isBest = value === best[name] && comparison.runs.length > 1 && value > 0,
             number = written(value * factor),
             change = 100 * (value / (before || NaN) - 1);
           return [
             isBest ? make("span", { class: "mark good" }, number) : number,
-            one === passive || Number.isNaN(change)
+            run === passive || Number.isNaN(change)
               ? ""
               : ` (${change >= 0 ? "+" : ""}${written(change, 2)} %)`,
           ];
         }),
-        Object.values(one.comfort)
+        Object.values(run.comfort)
           .map((text) =>
             text
               .split(" to ")
@@ -564,14 +572,14 @@ function merits(found: Compared): HTMLElement[] {
       shown.map((_, k) => k + 1),
       "Smaller is better; change from the passive rig in brackets",
     ),
-    ...Object.entries(found.failed).map(([name, reason]) =>
+    ...Object.entries(comparison.failed).map(([name, reason]) =>
       make("p", { class: "problem" }, `not run: ${name}: `, asSaid(reason)),
     ),
     ...advised(
-      found.runs.flatMap((one) =>
-        one.findings.map((finding) => ({
+      comparison.runs.flatMap((run) =>
+        run.findings.map((finding) => ({
           ...finding,
-          place: [one.control, finding.place].filter(Boolean).join(", "),
+          place: [run.control, finding.place].filter(Boolean).join(", "),
         })),
       ),
       "p",
@@ -594,7 +602,7 @@ const metricSaid = (words: string): string =>
   );
 
 /** The front as points that open as rides, with the present rig and single optimum dampers. */
-function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[] {
+function front(pareto: ParetoFront, asked: Record<string, unknown>): HTMLElement[] {
   interface Point {
     name: string;
     comfort: number;
@@ -604,24 +612,24 @@ function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[
     on: boolean;
   }
   const points: Point[] = [
-    ...found.comfort.map((comfort, k) => ({
+    ...pareto.comfort.map((comfort, k) => ({
       name: `design ${k + 1}`,
       comfort,
-      holding: found.holding[k]!,
-      travel: found.travel[k]!,
+      holding: pareto.holding[k]!,
+      travel: pareto.travel[k]!,
       values: Object.fromEntries(
-        Object.entries(found.numbers).map(([path, values]) => [path, values[k]!]),
+        Object.entries(pareto.numbers).map(([path, values]) => [path, values[k]!]),
       ),
       on: true,
     })),
-    ...found.marks.map((one) => ({ ...one, name: `${one.name} (${one.kind})`, on: false })),
+    ...pareto.marks.map((mark) => ({ ...mark, name: `${mark.name} (${mark.kind})`, on: false })),
   ];
-  const opened = (one: Point) =>
+  const opened = (point: Point) =>
     address("ride", {
       vehicle: String(asked.vehicle),
       road: String(asked.road),
       speed: String(asked.speed),
-      set: JSON.stringify(one.values),
+      set: JSON.stringify(point.values),
     });
   const ends = (values: number[]) => {
     const low = Math.min(...values),
@@ -630,10 +638,10 @@ function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[
     return [low - room, high + room] as const;
   };
   const axis = (role: "comfort" | "holding") => {
-    const [unit, factor] = shownUnit(found.units[role]!);
+    const [unit, factor] = shownUnit(pareto.units[role]!);
     return {
-      ends: ends(points.map((one) => one[role])),
-      label: `${metricSaid(found.words[role]!)} [${unit}]`,
+      ends: ends(points.map((point) => point[role])),
+      label: `${metricSaid(pareto.words[role]!)} [${unit}]`,
       factor,
     };
   };
@@ -641,33 +649,36 @@ function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[
     role: "group",
     "aria-label": "Pareto front",
   });
-  const front = points.filter((one) => one.on).sort((a, b) => a.comfort - b.comfort);
+  const front = points.filter((point) => point.on).sort((a, b) => a.comfort - b.comfort);
   picture.append(
-    svg("path", { class: "search", d: line(front.map((one) => at(one.comfort, one.holding))) }),
+    svg("path", {
+      class: "search",
+      d: line(front.map((point) => at(point.comfort, point.holding))),
+    }),
   );
-  for (const one of points) {
-    const link = svg("a", { href: opened(one), "aria-label": `open ${one.name} as a ride` });
-    const [x, y] = at(one.comfort, one.holding);
+  for (const point of points) {
+    const link = svg("a", { href: opened(point), "aria-label": `open ${point.name} as a ride` });
+    const [x, y] = at(point.comfort, point.holding);
     link.append(
-      svg("title", {}, `${one.name}: open as a ride`),
-      one.on
+      svg("title", {}, `${point.name}: open as a ride`),
+      point.on
         ? svg("circle", { cx: x, cy: y, r: 6, class: "on" })
         : svg("rect", { x: x - 5, y: y - 5, width: 10, height: 10, class: "off" }),
     );
     picture.append(link);
   }
   const figure = make("figure", {}),
-    numbers = Object.keys(found.numbers);
+    numbers = Object.keys(pareto.numbers);
   figure.append(
     picture,
     make(
       "figcaption",
       { class: "muted" },
-      `${raised(found.driven)}; circles: the front; squares: the present rig and single optimum dampers. Each opens as a ride.`,
+      `${raised(pareto.driven)}; circles: the front; squares: the present rig and single optimum dampers. Each opens as a ride.`,
     ),
   );
   return [
-    ...(found.converged
+    ...(pareto.converged
       ? []
       : [make("p", { class: "mark fair" }, "The search did not converge for every design.")]),
     figure,
@@ -676,21 +687,21 @@ function front(found: ParetoFront, asked: Record<string, unknown>): HTMLElement[
       [
         "design",
         ...ROLES.map(
-          (role) => `${metricSaid(found.words[role]!)} [${shownUnit(found.units[role]!)[0]}]`,
+          (role) => `${metricSaid(pareto.words[role]!)} [${shownUnit(pareto.units[role]!)[0]}]`,
         ),
-        ...numbers.map((path) => `${path} [${shownUnit(found.number_units[path]!)[0]}]`),
+        ...numbers.map((path) => `${path} [${shownUnit(pareto.number_units[path]!)[0]}]`),
         "",
       ],
-      points.map((one) => [
-        one.name,
-        ...ROLES.map((role) => written(one[role] * shownUnit(found.units[role]!)[1])),
+      points.map((point) => [
+        point.name,
+        ...ROLES.map((role) => written(point[role] * shownUnit(pareto.units[role]!)[1])),
         ...numbers.map((path) =>
-          written((one.values[path] ?? NaN) * shownUnit(found.number_units[path]!)[1]),
+          written((point.values[path] ?? NaN) * shownUnit(pareto.number_units[path]!)[1]),
         ),
-        make("a", { href: opened(one), "aria-label": `open ${one.name} as a ride` }, "open"),
+        make("a", { href: opened(point), "aria-label": `open ${point.name} as a ride` }, "open"),
       ]),
       [...ROLES, ...numbers].map((_, k) => k + 1),
     ),
-    ...advised(found.findings, "p"),
+    ...advised(pareto.findings, "p"),
   ];
 }

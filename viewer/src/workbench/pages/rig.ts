@@ -31,7 +31,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       make("h1", {}, name),
       problem(error),
       ...draftsOf(folder)
-        .filter((one) => one.page === own)
+        .filter((draft) => draft.page === own)
         .map(({ key, at }) =>
           copied(tr("Unsaved changes of #", moment(at)), (stateOf(key) as { text: string }).text),
         ),
@@ -117,8 +117,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         step(text.value);
         text.value = to;
         buttons();
-        const found = await api.form(name, to, [], {});
-        if (text.value === to) take(found);
+        const form = await api.form(name, to, [], {});
+        if (text.value === to) take(form);
       }),
     () => saved.digest,
     () => edits.waiting > 0 || form.isTyped,
@@ -167,15 +167,15 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       shown = to;
     }
   };
-  const take = (found: api.Form) => {
-    step(found.text);
-    if (text.value !== found.text) text.value = found.text;
-    if (found.text !== reviewed) {
+  const take = (form: api.Form) => {
+    step(form.text);
+    if (text.value !== form.text) text.value = form.text;
+    if (form.text !== reviewed) {
       lines.replaceChildren();
       reviewed = null;
     }
-    state = found;
-    if (found.rig) moves.hidden = !found.rig.spatial;
+    state = form;
+    if (form.rig) moves.hidden = !form.rig.spatial;
     isOld = true;
   };
   /** Shows the latest state once all requests have finished: earlier answers lack later edits. */
@@ -183,23 +183,23 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     buttons();
     if (!isOld || !state || !place.isConnected) return;
     isOld = false;
-    const found = state;
-    if (found.model) {
+    const snapshot = state;
+    if (snapshot.model) {
       try {
         form.show(
-          await api.schema(found.model),
-          found.values as { [key: string]: Value },
-          found.problems,
-          found.notes,
+          await api.schema(snapshot.model),
+          snapshot.values as { [key: string]: Value },
+          snapshot.problems,
+          snapshot.notes,
         );
       } catch {
         form.element.replaceChildren();
       }
     }
-    const all = found.problems.map((one) =>
+    const all = snapshot.problems.map((item) =>
       problem(
         new Error(
-          `${one.line ? `${tr("line #", String(one.line))}: ` : ""}${one.path ? `${one.path}: ` : ""}${one.text}`,
+          `${item.line ? `${tr("line #", String(item.line))}: ` : ""}${item.path ? `${item.path}: ` : ""}${item.text}`,
         ),
       ),
     );
@@ -213,19 +213,19 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
               { class: "good" },
               tr(
                 "#: no problems found.",
-                `${found.model}, ${tr("# parameters", String(found.rig?.numbers.length ?? 0))}`,
+                `${snapshot.model}, ${tr("# parameters", String(snapshot.rig?.numbers.length ?? 0))}`,
               ),
             ),
           ]),
-      ...advised(found.rig?.findings ?? [], "p"),
+      ...advised(snapshot.rig?.findings ?? [], "p"),
     );
-    if (found.rig) {
-      points.set(found.rig.numbers);
+    if (snapshot.rig) {
+      points.set(snapshot.rig.numbers);
       drawing = draw();
     }
-    same.element.hidden = !found.rig;
-    if (found.rig) same.show({ ...found, files: {} });
-    if (found.rig && !found.rig.spatial) picture.hidden = true;
+    same.element.hidden = !snapshot.rig;
+    if (snapshot.rig) same.show({ ...snapshot, files: {} });
+    if (snapshot.rig && !snapshot.rig.spatial) picture.hidden = true;
   };
   const inTurn = (work: () => Promise<void>) => {
     if (!edits.waiting) said = null;
@@ -242,9 +242,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     const done = inTurn(async () => {
       for (;;) {
         const before = text.value,
-          found = await api.form(name, before, sets, changes);
+          form = await api.form(name, before, sets, changes);
         if (text.value === before) {
-          take(found);
+          take(form);
           return;
         }
         if (!sets.length && !Object.keys(changes).length) return; // the text itself is asked about again
@@ -271,8 +271,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       to.push(shown);
       shown = text.value = other;
       buttons();
-      const found = await api.form(name, other, [], {});
-      if (text.value === other) take(found);
+      const form = await api.form(name, other, [], {});
+      if (text.value === other) take(form);
     });
   };
   undo.addEventListener("click", () => back(past, future));
@@ -290,7 +290,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   });
   const review = async () => {
     const now = text.value,
-      found = await api.form(name, now, [], {});
+      form = await api.form(name, now, [], {});
     const yes = make("button", { type: "button", class: "main" }, tr("Write to the file")),
       no = make("button", { type: "button" }, tr("Back"));
     no.addEventListener("click", () => {
@@ -304,10 +304,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     reviewed = now;
     lines.replaceChildren(
       difference(
-        found.changed,
+        form.changed,
         yes,
         no,
-        ...(found.problems.length
+        ...(form.problems.length
           ? [make("p", { class: "problem" }, tr("There are still problems; you can save anyway."))]
           : []),
       ),
@@ -326,8 +326,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       lines.replaceChildren();
       said = make("p", { class: "good" }, tr("Saved."));
       isOld = true;
-      const found = await api.form(name, now, [], {}).catch(() => null); // how the same is done is told of what is saved now
-      if (found && text.value === now) take(found);
+      const form = await api.form(name, now, [], {}).catch(() => null); // how the same is done is told of what is saved now
+      if (form && text.value === now) take(form);
     } catch (error) {
       const again = make("button", { type: "button" }, tr("Reload"));
       again.addEventListener(
@@ -336,10 +336,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
           void inTurn(async () => {
             // what was typed here is one step back
             try {
-              const found = await api.file(name),
-                its = await api.form(name, held(found.text), [], {});
-              saved = found;
-              drafts.done({ text: held(found.text) });
+              const file = await api.file(name),
+                its = await api.form(name, held(file.text), [], {});
+              saved = file;
+              drafts.done({ text: held(file.text) });
               step(text.value);
               take(its);
             } catch (error) {

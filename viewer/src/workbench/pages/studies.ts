@@ -57,23 +57,23 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   }
   const { entries } = await api.project();
   const rigs = [
-    ...entries.filter((one) => VEHICLES.includes(one.kind)).map((one) => one.path),
-    ...(await api.library()).map((one) => one.name),
+    ...entries.filter((entry) => VEHICLES.includes(entry.kind)).map((entry) => entry.path),
+    ...(await api.library()).map((shippedRig) => shippedRig.name),
   ];
-  const found = entries.filter((one) => one.kind === "sweep");
-  const starters = new Map(found.map((one) => [one.path, starter(one.path)]));
+  const matchingEntries = entries.filter((entry) => entry.kind === "sweep");
+  const starters = new Map(matchingEntries.map((entry) => [entry.path, starter(entry.path)]));
   place.replaceChildren(
     make("h1", {}, "Studies"),
     make("p", { class: "muted" }, "Vary parameters and see what drives each metric."),
     make("h2", {}, "Sweeps"),
     jobList(
       ["sweep"],
-      (one) => {
-        location.hash = address("studies", { job: one.id });
+      (job) => {
+        location.hash = address("studies", { job: job.id });
       },
       "No sweeps yet. Write a study below, or start one of this project.",
     ),
-    ...(found.length
+    ...(matchingEntries.length
       ? [
           make("h2", {}, "Studies in this project"),
           make(
@@ -142,8 +142,8 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     size: "34",
     value: "rms sprung.az, max strut.deflection",
   });
-  const road = select([...Object.keys(OBSTACLES), "iso"], undefined, (one) =>
-    one === "iso" ? "random road (ISO 8608)" : tr(one.replace("-", " ")),
+  const road = select([...Object.keys(OBSTACLES), "iso"], undefined, (text) =>
+    text === "iso" ? "random road (ISO 8608)" : tr(text.replace("-", " ")),
   );
   const sizes = make("span", { class: "sizes" });
   const speed = textBox("2 m/s"),
@@ -177,7 +177,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     const fields = make("span", { class: "sizes" }),
       now = make("td", { class: "muted" });
     const offer = () => {
-      const own = numbers.find((one) => one.path === which.value);
+      const own = numbers.find((parameter) => parameter.path === which.value);
       now.textContent = own
         ? tr("now #", `${written(own.value * own.factor)} ${own.unit}`)
         : which.value
@@ -238,10 +238,10 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     sizes.replaceChildren(
       ...(road.value === "iso"
         ? [field("Class", classes)]
-        : OBSTACLES[road.value]!.map((one) =>
+        : OBSTACLES[road.value]!.map((text) =>
             field(
-              one[0]!.toUpperCase() + one.slice(1),
-              make("input", { type: "text", value: USUAL[one]!, name: one }),
+              text[0]!.toUpperCase() + text.slice(1),
+              make("input", { type: "text", value: USUAL[text]!, name: text }),
             ),
           )),
     );
@@ -260,20 +260,20 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     isLoaded = false;
     buttons();
     try {
-      const found = await api.rig(name);
+      const loaded = await api.rig(name);
       if (rig.value !== name) return; // another one was chosen meanwhile
-      numbers = found.numbers;
-      const varied = numbers.filter((one) => !one.is_constant);
-      paths.replaceChildren(...varied.map((one) => make("option", { value: one.path })));
+      numbers = loaded.numbers;
+      const varied = numbers.filter((parameter) => !parameter.is_constant);
+      paths.replaceChildren(...varied.map((number) => make("option", { value: number.path })));
       const usual = ["strut.spring.rate", "strut.damper.coefficient", "tyre.stiffness"].filter(
-        (path) => numbers.some((one) => one.path === path),
+        (path) => numbers.some((parameter) => parameter.path === path),
       );
       for (const path of usual.length
         ? usual
         : varied
-            .filter((one) => one.is_chosen)
+            .filter((number) => number.is_chosen)
             .slice(0, 4)
-            .map((one) => one.path))
+            .map((number) => number.path))
         add(path);
       isLoaded = true;
       buttons();
@@ -291,9 +291,9 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const spread = (row: HTMLTableRowElement): unknown => {
     const kind = row.querySelector("select")!.value;
     const given = Object.fromEntries(
-      [...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((one) => [
-        one.dataset.word!,
-        one.value.trim(),
+      [...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((element) => [
+        element.dataset.word!,
+        element.value.trim(),
       ]),
     );
     const texts = Object.values(given);
@@ -302,7 +302,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     if (kind === "values")
       return texts[0]!
         .split(",")
-        .map((one) => one.trim())
+        .map((part) => part.trim())
         .filter(Boolean);
     return given;
   };
@@ -312,10 +312,9 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     const was = state(),
       path = name.value,
       sizesOf = Object.fromEntries(
-        [...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [
-          one.name,
-          one.value,
-        ]),
+        [...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map(
+          (element) => [element.name, element.value],
+        ),
       );
     const made = (await (
       await api.asked("POST", "/api/study", {
@@ -341,7 +340,7 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
         ),
         metrics: metrics.value
           .split(",")
-          .map((one) => one.trim())
+          .map((part) => part.trim())
           .filter(Boolean),
       })
     ).json()) as { digest: string; count: number; path: string };
@@ -412,9 +411,9 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const controls = { rig, road, speed, duration, design, count, seed, metrics, name, out };
   const sized = () =>
     Object.fromEntries(
-      [...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((one) => [
-        one.name,
-        one,
+      [...sizes.querySelectorAll<HTMLInputElement | HTMLSelectElement>("[name]")].map((element) => [
+        element.name,
+        element,
       ]),
     );
   const state = () => ({
@@ -423,7 +422,9 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
     rows: [...rows.rows].map((row) => [
       row.querySelector("input")!.value,
       row.querySelector("select")!.value,
-      ...[...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map((one) => one.value),
+      ...[...row.querySelectorAll<HTMLInputElement>("input[data-word]")].map(
+        (element) => element.value,
+      ),
     ]),
   });
   const drafts = new Drafts(await api.folder(), address("studies"), state(), state, async (was) => {
@@ -437,8 +438,8 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
       add(path, spread);
       rows
         .lastElementChild!.querySelectorAll<HTMLInputElement>("input[data-word]")
-        .forEach((one, k) => {
-          one.value = texts[k] ?? one.value;
+        .forEach((element, k) => {
+          element.value = texts[k] ?? element.value;
         });
     }
   });
@@ -478,14 +479,14 @@ async function showSweep(
   const clear = make("button", { type: "button" }, "All variants");
   clear.addEventListener("click", () => brushes.clear());
   const select = () => {
-    const kept = brushes.chosen.flatMap((one, row) => (one ? [row] : []));
+    const selectedRows = brushes.chosen.flatMap((isChosen, row) => (isChosen ? [row] : []));
     status.textContent =
-      heard(`${kept.length} of ${rows} variants`) +
+      heard(`${selectedRows.length} of ${rows} variants`) +
       (rows < sweep.finished ? heard(` shown, of ${sweep.finished}`) : "") +
       (brushes.picked >= 0 ? heard(`; variant ${sweep.variants[brushes.picked]} is marked`) : "");
     const first = [
       ...(brushes.picked >= 0 ? [brushes.picked] : []),
-      ...kept.filter((row) => row !== brushes.picked),
+      ...selectedRows.filter((row) => row !== brushes.picked),
     ].slice(0, 20);
     chosen.replaceChildren(
       ...first.map((variant) => {
@@ -508,7 +509,7 @@ async function showSweep(
         return row(
           [
             mark,
-            ...sweep.columns.map((one) => written(one.values[variant])),
+            ...sweep.columns.map((column) => written(column.values[variant])),
             sweep.run ? make("a", link, "open as a trial") : "",
           ],
           sweep.columns.map((_, k) => k + 1),
@@ -518,7 +519,7 @@ async function showSweep(
   };
   brushes.listen(select);
   select();
-  const metrics = sweep.columns.filter((one) => !one.is_number);
+  const metrics = sweep.columns.filter((column) => !column.is_number);
   place.replaceChildren(
     make("h1", {}, title),
     back,
@@ -542,9 +543,9 @@ async function showSweep(
     ...(summary?.influences.length
       ? [
           make("h2", {}, "Sensitivity of the metrics"),
-          ...metrics.flatMap((one) => {
-            const own = summary.metrics.find((two) => two.name === one.name);
-            return own ? [tornado(summary.influences, one, own.mean)] : [];
+          ...metrics.flatMap((metric) => {
+            const own = summary.metrics.find((two) => two.name === metric.name);
+            return own ? [tornado(summary.influences, metric, own.mean)] : [];
           }),
         ]
       : []),
@@ -560,7 +561,7 @@ async function showSweep(
     ...(metrics.length ? [matrix(brushes)] : []),
     table(
       "selected variants",
-      ["variant", ...sweep.columns.map((one) => `${one.name} [${one.unit || "–"}]`), ""],
+      ["variant", ...sweep.columns.map((column) => `${column.name} [${column.unit || "–"}]`), ""],
       chosen,
       sweep.columns.map((_, k) => k + 1),
       "First selected variants",
@@ -581,7 +582,7 @@ function showRunning(place: HTMLElement, job: Whole, folder: string): void {
   );
   let shown = false;
   follow(card.element, (jobs) => {
-    const now = jobs.find((one) => one.id === job.id);
+    const now = jobs.find((candidate) => candidate.id === job.id);
     if (!now || shown) return;
     card.show(now);
     if (now.state === "running" || now.state === "cancelling") return;
@@ -594,16 +595,22 @@ function showRunning(place: HTMLElement, job: Whole, folder: string): void {
 
 type Summary = NonNullable<Sweep["summary"]>;
 function statistics(summary: Summary, metrics: Column[]): HTMLElement {
-  const levels = Object.keys(summary.metrics[0]!.percentiles).map((one) => `${one} %`),
+  const levels = Object.keys(summary.metrics[0]!.percentiles).map((key) => `${key} %`),
     numbers = ["mean", "standard deviation", "minimum", ...levels, "maximum"];
   return table(
     "metrics",
     ["metric", "unit", ...numbers],
-    summary.metrics.map((one) => {
-      const { factor = 1, unit = "" } = metrics.find(({ name }) => name === one.name) ?? {};
-      const percentiles = Object.values(one.percentiles).map((level) => level.value);
-      const values = [one.mean, one.standard_deviation, one.least, ...percentiles, one.greatest];
-      return [one.name, unit || "–", ...values.map((value) => written(value * factor))];
+    summary.metrics.map((metric) => {
+      const { factor = 1, unit = "" } = metrics.find(({ name }) => name === metric.name) ?? {};
+      const percentiles = Object.values(metric.percentiles).map((level) => level.value);
+      const values = [
+        metric.mean,
+        metric.standard_deviation,
+        metric.least,
+        ...percentiles,
+        metric.greatest,
+      ];
+      return [metric.name, unit || "–", ...values.map((value) => written(value * factor))];
     }),
     numbers.map((_, k) => k + 2),
   );
@@ -614,13 +621,13 @@ function opened(sweep: Sweep, row: number): string {
   const run = sweep.run!,
     changes: Record<string, number> = {};
   let { speed, duration } = run;
-  for (const one of sweep.columns) {
-    const value = one.values[row];
-    if (!one.is_number || value === null || value === undefined) continue;
-    if (one.name === "trial.speed") speed = `${value / one.factor} m/s`;
-    else if (one.name === "trial.duration") duration = `${value / one.factor} s`;
-    else if (!one.name.startsWith("trial.") && !one.name.startsWith("control."))
-      changes[one.name] = value / one.factor;
+  for (const column of sweep.columns) {
+    const value = column.values[row];
+    if (!column.is_number || value === null || value === undefined) continue;
+    if (column.name === "trial.speed") speed = `${value / column.factor} m/s`;
+    else if (column.name === "trial.duration") duration = `${value / column.factor} s`;
+    else if (!column.name.startsWith("trial.") && !column.name.startsWith("control."))
+      changes[column.name] = value / column.factor;
   }
   if (typeof run.road === "string")
     return address("ride", {

@@ -52,7 +52,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     name.endsWith(".toml") ? api.versions(name) : [],
   ]);
   if (!place.isConnected) return;
-  const kind = select(Object.keys(OBSTACLES), undefined, (one) => tr(one.replace("-", " ")));
+  const kind = select(Object.keys(OBSTACLES), undefined, (text) => tr(text.replace("-", " ")));
   const sizes = make("span", { class: "sizes" });
   const road = given<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
   if (road.kind && road.kind in OBSTACLES) kind.value = road.kind;
@@ -63,10 +63,14 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     duration = make("input", { type: "text", value: values.get("duration") ?? "1.5 s" });
   const offered = () =>
     sizes.replaceChildren(
-      ...OBSTACLES[kind.value]!.map((one) => {
-        const input = make("input", { type: "text", value: road[one] ?? USUAL[one]!, name: one });
+      ...OBSTACLES[kind.value]!.map((text) => {
+        const input = make("input", {
+          type: "text",
+          value: road[text] ?? USUAL[text]!,
+          name: text,
+        });
         input.addEventListener("change", () => void curves.ask());
-        return field(tr(one[0]!.toUpperCase() + one.slice(1)), input);
+        return field(tr(text[0]!.toUpperCase() + text.slice(1)), input);
       }),
     );
   const sliders = new Sliders(
@@ -86,7 +90,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       kind: kind.value,
       start: road.start ?? "0.2 m",
       ...Object.fromEntries(
-        [...sizes.querySelectorAll("input")].map((one) => [one.name, one.value]),
+        [...sizes.querySelectorAll("input")].map((element) => [element.name, element.value]),
       ),
     },
   });
@@ -95,20 +99,23 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   );
   const measured = optional(
     "none",
-    entries.filter((one) => one.kind === "record").map(({ path }) => path),
+    entries.filter((entry) => entry.kind === "record").map(({ path }) => path),
   );
   measured.value = values.get("record") ?? "";
-  const others = entries.filter((one) => VEHICLES.includes(one.kind) && one.path !== name);
+  const others = entries.filter((entry) => VEHICLES.includes(entry.kind) && entry.path !== name);
   const against = new Against(
     tr("Compare with"),
     [
       [
         tr("earlier versions"),
-        earlier.map((one) => [one.name, `${tr("replaced")} ${moment(one.replaced * 1000)}`]),
+        earlier.map((version) => [
+          version.name,
+          `${tr("replaced")} ${moment(version.replaced * 1000)}`,
+        ]),
       ],
       [tr("this project"), others.map(({ path }) => [path, path])],
       [tr("saved runs"), runs.map(({ path }) => [path, path.replace(/^runs\//, "")])],
-      [tr("shipped"), shipped.map((one) => [one.name, one.name])],
+      [tr("shipped"), shipped.map((shipped) => [shipped.name, shipped.name])],
     ],
     () => void curves.ask(),
   );
@@ -143,8 +150,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   curves.moved = (place) => {
     if (!phase.element.hidden) phase.mark(place);
   };
-  for (const one of [look, measured, begins])
-    one.addEventListener("change", () => {
+  for (const setting of [look, measured, begins])
+    setting.addEventListener("change", () => {
       offset();
       void curves.ask();
     });
@@ -157,9 +164,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         .split("/")
         .pop()} ${new Date().toLocaleString("sv-SE").slice(0, 16).replace(":", ".")}`,
     }),
-    kept = make("span", { "aria-live": "polite" });
+    status = make("span", { "aria-live": "polite" });
   const press = make("button", { type: "submit" }, tr("Save the run")),
-    keep = make("form", { class: "form" }, field(tr("Save this run as"), title), press, kept);
+    keep = make("form", { class: "form" }, field(tr("Save this run as"), title), press, status);
   keep.addEventListener("submit", (event) => {
     event.preventDefault();
     const was = state();
@@ -170,33 +177,34 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       async (answer) => {
         drafts.done(was); // it lies in the project by now
         const { path } = (await answer.json()) as { path: string };
-        kept.replaceChildren(
+        status.replaceChildren(
           tr("Saved as "),
           make("a", { href: address("record", { path }) }, path),
           ". ",
           make("a", { href: address("project") }, tr("Compare in the project")),
         );
       },
-      (error) => kept.replaceChildren(problem(error)),
+      (error) => status.replaceChildren(problem(error)),
     );
   });
   kind.addEventListener("change", () => {
     offered();
     void curves.ask();
   });
-  for (const one of [speed, duration]) one.addEventListener("change", () => void curves.ask());
+  for (const input of [speed, duration]) input.addEventListener("change", () => void curves.ask());
   offered();
   const controls = { kind, speed, duration, measured, begins };
   const state = () => ({
     controls: entered(controls),
     sizes: Object.fromEntries(
-      [...sizes.querySelectorAll("input")].map((one) => [one.name, one.value]),
+      [...sizes.querySelectorAll("input")].map((element) => [element.name, element.value]),
     ),
     changes: { ...sliders.changes },
   });
   const put = (was: ReturnType<typeof state>) => {
     enter(controls, was.controls);
-    for (const one of sizes.querySelectorAll("input")) one.value = was.sizes[one.name] ?? one.value;
+    for (const element of sizes.querySelectorAll("input"))
+      element.value = was.sizes[element.name] ?? element.value;
     sliders.reset();
     for (const [path, value] of Object.entries(was.changes)) sliders.take(path, value);
     void curves.ask();
