@@ -1,7 +1,7 @@
 """Arrays passed to the loops: type, number of dimensions and order in memory.
 
-The machine code of a loop is made for just these. A loop's own annotations, and those of the tuples that it takes, are
-where that is said; they are checked at every call (``call.Loop``).
+The machine code of a loop is compiled for exactly these layouts. They are stated in the annotations of the loop and of
+its tuple arguments, and checked at every call (``call.Loop``).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from jounce.core.types import Array, Complex
 class Layout(NamedTuple):
     """Number of dimensions, order in memory (rows, C, or columns, F, side by side without gaps) and NumPy's type.
 
-    The type stands here, too, because what an ``NDArray`` looks like inside differs between versions of NumPy.
+    The type is repeated here because the internals of ``NDArray`` differ between versions of NumPy.
     """
 
     dimensions: int

@@ -1,7 +1,7 @@
 """Data of the loops of a run: addresses of native functions, inputs, samples, a controller, scratch arrays.
 
-Nothing here computes. The loops (``kernel.loops``) read these tuples and write into their arrays,
-so that one run after another needs no new memory and no compiled code sees a Python object.
+This module does not compute. The loops (``kernel.loops``) read these tuples and write into their arrays,
+so consecutive runs need no new memory and compiled code sees no Python objects.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Status(Enum):
 
     @classmethod
     def of(cls, code: int) -> Status:
-        """Give the status of a loop's return code."""
+        """Return the status for the return code of a loop."""
         return next(status for status in cls if status.code == code)
 
 
@@ -127,8 +127,8 @@ def flatten(signals: list[Segments]) -> Tracks:
 class Engine(NamedTuple):
     """Addresses of native functions: of the model, then of a step (``methods.runge_kutta``); 0 where there is none.
 
-    The stages that a step evaluates begin with row ``first``, those of its interpolant with ``after``; ``shrink`` is
-    the exponent of the error in the choice of the next step.
+    The stages of a step begin with row ``first``, those of its interpolant with ``after``; ``shrink`` is
+    the exponent of the error in the choice of the next step size.
     """
 
     rate: int
@@ -164,7 +164,7 @@ class Control(NamedTuple):
 class Problem(NamedTuple):
     """System to integrate: native functions, tracks, parameter values, modes (changed in place) and first state.
 
-    ``inputs`` is the number of inputs that the tracks make: two or three for each.
+    ``inputs`` is the number of inputs of all tracks: two or three per track.
     """
 
     engine: Engine
@@ -180,12 +180,12 @@ _NONE = np.zeros((0, 0))
 
 
 class Samples(NamedTuple):
-    """Where the run is sampled and the arrays it fills: one row an element, one column a sample.
+    """Sample times of a run and the arrays that it fills: one row per element, one column per sample.
 
-    Where the model projects, ``projected`` has what a projection tells of each system (residual, conditioning) above
-    its states, and is empty elsewhere. With sensitivities,
-    ``tangents`` has one row a sample of those of the states, and ``carried`` one of the outputs and their
-    sensitivities; both run through the parameters fastest.
+    If the model projects, ``projected`` contains the results of the projection of each system (residual,
+    conditioning) above its states; otherwise it is empty. With sensitivities,
+    ``tangents`` has one row per sample for the states, and ``carried`` one for the outputs and their
+    sensitivities; the parameter index varies fastest in both.
     """
 
     times: Vector
@@ -198,7 +198,7 @@ class Samples(NamedTuple):
 
 
 class Feedback(NamedTuple):
-    """A controller around the model: at fixed instants it sees the outputs and sets some tracks until the next.
+    """Controller around the model: it reads the outputs at fixed instants and sets some tracks until the next instant.
 
     The law is one native function ``f(memory, measured, p, m, out)``; ``out`` is the commands, then the next memory. It
     is compiled from a graph like all others, or it is the address of a Python function (:class:`Callback`).
@@ -275,7 +275,7 @@ def feedback(
     p: Vector,
     counts: tuple[int, int, int],
 ) -> Feedback:
-    """Make the arrays around a law, for ``counts`` of memory, inputs and outputs; the others are as in the class."""
+    """Allocate a law's arrays for ``counts`` of memory, inputs and outputs; the others are fields of the class."""
     memory, inputs, outputs = counts
     scratch = (
         np.zeros((1, memory)),
@@ -298,7 +298,7 @@ _PROTOTYPE = ctypes.CFUNCTYPE(
 class Callback:
     """A Python function at an address; its exceptions are stored, since none may pass through compiled code.
 
-    The loop has let go of the interpreter's lock, and the call takes it for as long as the function runs.
+    The loop runs without the interpreter lock; the call acquires the lock while the function runs.
     ``address`` is that of ``void f(void*, void*, void*, void*, void*)``, which lives as long as this object; ``raised``
     is what the function raised, or None.
 
@@ -323,10 +323,10 @@ class Callback:
 
 
 class Work(NamedTuple):
-    """Scratch arrays: ``rows`` (see above), times and inputs at a step's nodes, switching functions at its probes.
+    """Scratch arrays: ``rows`` (see above), times and inputs at the nodes of a step, switching functions at its probes.
 
     ``step`` is (length, tolerance), ``errors`` the squared errors, ``slope`` that of the switching functions,
-    ``sampled`` the inputs at a sample; ``marks`` how many samples are placed, and how many of them finished.
+    ``sampled`` the inputs at a sample; ``marks`` the numbers of placed and of finished samples.
     """
 
     rows: Matrix
@@ -344,7 +344,7 @@ class Work(NamedTuple):
 
 
 def scratch(problem: Problem, control: Control, nodes: Array, systems: int = 1) -> Work:
-    """Make the arrays that steps of so many systems need, with some nodes (fractions of a step, the probes last)."""
+    """Allocate the arrays for steps of several systems with given nodes (fractions of a step, the probes last)."""
     n, size, switches = len(control.scale), len(problem.x0), len(problem.m)
     extra_rows = 2 * systems
     rows = np.zeros((ROWS, size))

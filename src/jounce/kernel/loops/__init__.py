@@ -1,7 +1,7 @@
-"""The loops themselves, as Numba compiles them: where jounce is built, and where nothing of that can be used.
+"""Sources of the loops, compiled by Numba when jounce is built, or later if the built code cannot be used.
 
-Nothing here is imported by a run: it calls the machine code by name (``kernel.call``). ``build`` makes that code,
-``python -m jounce.kernel.loops.make`` all of it; ``compiling`` says how Numba compiles.
+A run does not import this package; it calls the machine code by name (``kernel.call``). ``build`` compiles a loop,
+``python -m jounce.kernel.loops.make`` all of them; ``compiling`` configures Numba.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path
 from jounce.kernel.machine import LEVEL_3
 
 SOURCES = ("kernel/loops", "kernel/methods", "kernel/arrays", "kernel/engine", "kernel/poses")
-"""What the loops are made of, and what they are called with: built code is that of these modules as they are."""
+"""Sources of the loops and of their arguments; built code is valid only for the current text of these modules."""
 
 LOOPS = {
     "evaluate": ("evaluate", "evaluate"),
@@ -34,21 +34,21 @@ LOOPS = {
 """Loops that are called from Python: module and function."""
 
 UNLOCKED = ("lanes", "exact", "explicit", "implicit")
-"""Loops that let go of the interpreter's lock while they run; a Python function that they call takes it by itself."""
+"""Loops that run without the interpreter lock; a Python function called by them acquires it."""
 
 ENTRY = "entry"
-"""Name of the function that a loop's code is called by."""
+"""Name of the entry function of the code of a loop."""
 
 FAILED = -(1 << 62)
-"""What the code gives where the loop itself raises."""
+"""Return code for an exception within the loop."""
 
 BUILT = Path(__file__).parent / "built"
-"""Where built code lies: ``<loop>.bc`` for every machine, ``<platform>/<loop>.o`` for one."""
+"""Folder of built code: ``<loop>.bc`` for all machines, ``<platform>/<loop>.o`` for one platform."""
 
 
 @dataclass(frozen=True)
 class Platform:
-    """What objects are made for; a processor without what they ``need`` takes the bitcode."""
+    """Target of built objects; processors that lack a feature in ``needs`` use the bitcode."""
 
     triple: str
     processor: str
@@ -67,11 +67,11 @@ PLATFORMS = {
 
 
 def this_platform() -> str:
-    """Name of the platform that this process runs on, which need not be among ``PLATFORMS``."""
+    """Return the name of the platform of this process, which may be missing from ``PLATFORMS``."""
     system = "windows" if sys.platform == "win32" else sys.platform
     return f"{system}-{platform.machine().lower()}"
 
 
 def key_of(loop: str, digest: str, platform: str = "bitcode") -> str:
-    """What built code was made for: it is no other loop's, no other platform's, and of the sources as they are."""
+    """Return the key of built code: its loop, its platform and the digest of its sources."""
     return f"{loop} {platform} {digest}"

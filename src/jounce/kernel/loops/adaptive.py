@@ -1,13 +1,13 @@
-"""The way through a run by steps whose error is controlled, the same for explicit and implicit methods.
+"""Integration of a run with error control, shared by the explicit and implicit methods.
 
-A method brings three functions, which are compiled into its loop (``way_through``):
+A method provides three functions, which are compiled into its loop (``way_through``):
 
-- ``look(problem, method, work, t, changed)`` prepares a step from the state, which has moved; where the input or the
-  laws are others than before, ``changed`` says so;
-- ``step(problem, method, control, work, t, h)`` takes it and gives the factor by which the next may be longer, negative
-  where the error is too large: then its size is the factor for another try;
-- ``dense(problem, method, work, t, h)`` puts the interpolant of the step just taken into its rows, and the inputs at
-  the probes.
+- ``look(problem, method, work, t, changed)`` prepares a step from the current state; ``changed`` is true if the
+  input or the modes have changed;
+- ``step(problem, method, control, work, t, h)`` computes the step and returns the growth factor of the next one; if
+  the error is too large, the factor is negative, and its magnitude applies to the repeated step;
+- ``dense(problem, method, work, t, h)`` writes the interpolant of the last step into its rows, and the inputs at the
+  probes.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ _STALLED = 20  # events of each switch without time passing: more than any seque
 
 @part(forceinline=True)
 def inputs(problem: Any, work: Any, t: float, h: float, first: int, last: int) -> None:
-    """Inputs at the nodes ``first`` to ``last`` of a step."""
+    """Evaluate the inputs at the nodes ``first`` to ``last`` of a step."""
     for i in range(first, last):
         work.times[i] = t + work.nodes[i] * h
     fill(problem.tracks, problem.piece, work.times[first:last], work.u[:, first:last])
@@ -66,7 +66,7 @@ def inputs(problem: Any, work: Any, t: float, h: float, first: int, last: int) -
 
 @part(forceinline=True)
 def _arrive(problem: Any, work: Any, t: float) -> int:
-    """Take over the end of the step, on the constraints; tell how that ended."""
+    """Accept the end of the step, projected onto the constraints; return the status."""
     rows, widest, finite = work.rows, work.widest, True
     for d in range(rows.shape[1]):
         rows[STATE, d] = rows[END, d]
@@ -82,10 +82,10 @@ def _arrive(problem: Any, work: Any, t: float) -> int:
 
 @part(forceinline=True)
 def _close(problem: Any, work: Any, t: float) -> int:
-    """Move the state onto the constraints; tell how that ended.
+    """Project the state onto the constraints; return the status.
 
-    The rates keep the constraints' second derivatives at zero; what rounding and steps add up to drifts like time
-    squared and is taken out after every step, while it is still so small that one projection is enough.
+    The rates keep the second derivatives of the constraints at zero. Rounding and step errors accumulate as the
+    square of time; they are removed after every step, while one projection is sufficient.
     """
     size = work.rows.shape[1]
     systems = (work.projected.shape[1] - size) // 2
@@ -114,15 +114,16 @@ def _close(problem: Any, work: Any, t: float) -> int:
 
 
 def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
-    """Make the loop of a method from its three functions; ``kind`` is the tuple that says how it goes its way."""
+    """Create the loop of a method from its three functions; ``kind`` is the tuple type of its constants."""
 
     @part()
     def walk(
         method: Any, problem: Any, feedback: Any, control: Any, work: Any, out: Any, counts: Any
     ) -> int:
-        """Go from the first sample to the last; give a status code.
+        """Integrate from the first sample to the last; return a status code.
 
-        ``method.first`` is the first step to try (s); where ``method.waits``, no step grows right after a rejected one.
+        ``method.first`` is the initial step size (s); with ``method.waits``, a step does not grow right after a
+        rejected one.
         """
         times = out.times
         t, end = times[0], times[-1]
@@ -238,7 +239,7 @@ def way_through(look: Any, step: Any, dense: Any, kind: type) -> Any:
         out: Samples,
         counts: Integers,
     ) -> int:
-        """Go from the first sample to the last; give a status code."""
+        """Integrate from the first sample to the last; return a status code."""
         status = walk(method, problem, feedback, control, work, out, counts)
         finish_samples(problem, work, out)
         return int(status)

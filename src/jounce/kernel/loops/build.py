@@ -1,7 +1,8 @@
-"""Machine-independent code (LLVM bitcode) of a loop, with an entry that takes Python's objects as they are.
+"""Machine-independent code (LLVM bitcode) of a loop, with an entry that takes Python objects without conversion.
 
-A loop is compiled for one signature, which its annotations say. Numba would optimise and generate code for each of its
-parts, which nobody calls; here the parts are only linked, and with nothing but the entry visible LLVM inlines better.
+A loop is compiled for the one signature given by its annotations. Numba would also optimise and generate code for each
+part separately, although only the entry is called. Here the parts are only linked, and because only the entry is
+visible, LLVM inlines better.
 """
 
 from __future__ import annotations
@@ -33,12 +34,12 @@ Leaf = tuple[tuple[tuple[int, str], ...], str]
 
 
 def function_of(name: str) -> Any:
-    """Give a loop with Numba's own entry."""
+    """Return a loop compiled with Numba's own entry."""
     return njit(error_model="numpy", _nrt=False)(_part(name).py_func)
 
 
 def bitcode_of(name: str) -> bytes:
-    """Compile a loop; with its code comes what its arguments have to be."""
+    """Compile a loop to bitcode that includes the checks of its arguments."""
     loop = _part(name)
     hints = get_type_hints(loop.py_func, include_extras=True)
     hints.pop("return")
@@ -67,7 +68,7 @@ def _part(name: str) -> Any:
 
 
 def _type_of(hint: Any) -> Any:
-    """Numba's type of what an annotation says."""
+    """Return the Numba type of an annotation."""
     if hint in _NUMBERS:
         return _NUMBERS[hint]
     if get_origin(hint) is Annotated:
@@ -80,7 +81,7 @@ def _type_of(hint: Any) -> Any:
 
 @contextmanager
 def _parts_as_they_are() -> Iterator[None]:
-    """Keep Numba from optimising what it compiles, and from making machine code of it."""
+    """Prevent Numba from optimising the parts and from generating machine code for them."""
     library, code = codegen.CPUCodeLibrary, codegen.JITCPUCodegen
     kept = library.finalize, library._optimize_functions, code.set_env
 
@@ -98,7 +99,7 @@ def _parts_as_they_are() -> Iterator[None]:
 
 
 def _linked(library: Any) -> Any:
-    """Module of a library with all that it calls."""
+    """Return the module of a library, linked with all functions that it calls."""
     module, seen, waiting = library._final_module.clone(), set(), list(library._linking_libraries)
     while waiting:
         part = waiting.pop(0)
@@ -112,9 +113,9 @@ def _linked(library: Any) -> Any:
 class _Entry:
     """``int64 entry(PyObject* arguments, int64* facts)``: walk the arguments, check them, call the loop.
 
-    It gives what the loop gives, -1 - i where leaf ``i`` is not what it should be, and FAILED where the loop raises.
-    What Python itself refuses (a text for a number) is left as its error. A loop that is ``unlocked`` runs without the
-    interpreter's lock.
+    It returns the result of the loop, -1 - i if leaf ``i`` has the wrong type or layout, and FAILED if the loop
+    raises an exception. Errors of Python itself (a text instead of a number) remain set. An ``unlocked`` loop runs
+    without the interpreter lock.
     """
 
     def __init__(self, loop: Any, names: list[str], *, unlocked: bool = False) -> None:
@@ -149,7 +150,7 @@ class _Entry:
     def _items(
         self, value: Any, kinds: Any, names: Any, path: tuple[tuple[int, str], ...]
     ) -> list[Any]:
-        """Values of a tuple's items."""
+        """Return the items of a tuple."""
         b = self.builder
         size = b.call(self._python("PyTuple_Size", _INDEX, [_POINTER]), [value])
         self._check(b.icmp_signed("==", size, _INDEX(len(kinds))), path, f"a tuple of {len(kinds)}")
@@ -207,7 +208,7 @@ class _Entry:
         return array._getvalue()
 
     def _array_check(self) -> Any:
-        """``bool(array, facts, dimensions, number of its type, flags)``: whether an object is such an array."""
+        """``bool(array, facts, dimensions, number of its type, flags)``: check that an object is such an array."""
         kinds = [_POINTER, _INDEX.as_pointer(), _SHORT, _INDEX, _SHORT]
         function = ir.Function(self.module, ir.FunctionType(ir.IntType(1), kinds), "is_array")
         function.attributes.add("noinline")
@@ -231,6 +232,6 @@ class _Entry:
 
 
 def _field(builder: Any, value: Any, head: Any, offset: int, kind: Any) -> Any:
-    """What lies ``offset`` bytes behind the head of an object."""
+    """Return the value ``offset`` bytes after the head of an object."""
     place = builder.gep(value, [builder.add(head, _INDEX(offset))])
     return builder.load(builder.bitcast(place, kind.as_pointer()))

@@ -1,4 +1,4 @@
-"""How the loops are compiled by Numba, calls from them to native code by address, and sums in any order."""
+"""Numba settings of the loops, calls from loops to native code by address, and sums in arbitrary order."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numba.extending import intrinsic
 
 
 def part(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Compile a part of such loops, without entries from Python and C: they are most of the work for many arrays."""
+    """Compile a part of the loops without Python and C entries, which take most of the compile time for many arrays."""
 
     def compile_one(function: Callable[..., Any]) -> Any:
         inner = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
@@ -39,7 +39,7 @@ FAST = {"reassoc", "contract", "arcp", "nsz"}
 
 @part(fastmath=FAST)
 def dot(a, b):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN201
-    """Sum of products of two arrays of one length, in any order."""
+    """Return the sum of products of two arrays of equal length, in arbitrary order."""
     total = 0.0
     for i in range(a.size):
         total += a[i] * b[i]
@@ -47,12 +47,12 @@ def dot(a, b):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN201
 
 
 def array_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int) -> Any:
-    """The array that argument ``i`` is, with its data and shape."""
+    """Return argument ``i`` as an array with its data and shape."""
     return context.make_array(signature.args[i])(context, builder, arguments[i])
 
 
 def row_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int, row: int) -> Any:
-    """Pointer to the row of the C-ordered matrix ``i`` that argument ``row`` names."""
+    """Return a pointer to the row of the C-ordered matrix ``i`` that argument ``row`` selects."""
     array = array_of(context, builder, signature, arguments, i)
     return builder.gep(
         array.data, [builder.mul(arguments[row], builder.extract_value(array.shape, 1))]
@@ -60,7 +60,7 @@ def row_of(context: Any, builder: Any, signature: Any, arguments: Any, i: int, r
 
 
 def call_address(builder: Any, address: Any, arguments: list[Any]) -> Any:
-    """Call a function that gives nothing at an address, with arguments of their own types."""
+    """Call a function without a result by its address, with arguments of their own types."""
     function = ir.FunctionType(
         ir.VoidType(), [argument.type for argument in arguments]
     ).as_pointer()
@@ -124,7 +124,7 @@ def call_many(
 ) -> Any:
     """Call ``void f(x, u, p, m, out, int64 total, int64 first, int64 count)`` at an address.
 
-    ``x``, ``u`` and ``out`` are C-ordered matrices with one row an element and one column a sample.
+    ``x``, ``u`` and ``out`` are C-ordered matrices with one row per element and one column per sample.
     """
     signature = types.void(types.int64, x, u, p, m, out, types.int64, types.int64)
 
@@ -140,7 +140,7 @@ def call_many(
 
 @intrinsic  # type: ignore[untyped-decorator]
 def call_one(typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, out: Any) -> Any:
-    """Call a function of one sample, or of many with one: it does not look at the numbers that it has no place for."""
+    """Call a function of one sample, or a function of many samples with one: it ignores the additional arguments."""
     signature = types.void(types.int64, x, u, p, m, out)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -153,7 +153,7 @@ def call_one(typing_context: Any, address: Any, x: Any, u: Any, p: Any, m: Any, 
 
 @intrinsic  # type: ignore[untyped-decorator]
 def sine_and_cosine(typing_context: Any, angle: Any) -> Any:
-    """Sine and cosine by calls that the optimiser may not move out of their branch, as it does with ``math.sin``."""
+    """Return sine and cosine by calls that the optimiser may not move out of their branch, unlike ``math.sin``."""
     signature = types.UniTuple(types.float64, 2)(types.float64)
 
     def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:

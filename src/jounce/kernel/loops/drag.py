@@ -14,7 +14,7 @@ _STEPS = 96  # a half cycle
 def _acceleration(
     x: float, v: float, side: float, damping: float, square: float, friction: float, drag: float
 ) -> float:
-    """Of a swing away from ``side``: its velocity has the sign of -side."""
+    """Return the acceleration of a swing away from ``side``, whose velocity has the sign of -side."""
     return -damping * v - square * (x - side * friction) + side * drag * v * v
 
 
@@ -53,7 +53,7 @@ def _turn(
     friction: float,
     drag: float,
 ) -> float:
-    """Time (s) within a step ``h`` after which the velocity has fallen to zero, by bisection."""
+    """Return the time (s) within a step ``h`` at which the velocity reaches zero, by bisection."""
     low, high = 0.0, h
     for _ in range(50):
         middle = 0.5 * (low + high)
@@ -74,7 +74,7 @@ def follow(
     release: float,
     path: Matrix,
 ) -> None:
-    """Fill in displacement, velocity and acceleration at each time; the path comes with zeros."""
+    """Fill in displacement, velocity and acceleration at each time of a path that is initially zero."""
     damping, square = 2.0 * damping_ratio * angular_frequency, angular_frequency**2
     longest = math.pi / angular_frequency / _STEPS
     x, v, t, side = release, 0.0, 0.0, math.copysign(1.0, release)

@@ -1,4 +1,4 @@
-"""One native function called once, with far less around it than ``ctypes`` puts there."""
+"""A single call of a native function with much less overhead than ``ctypes``."""
 
 from __future__ import annotations
 
@@ -8,6 +8,6 @@ from jounce.kernel.loops.compiling import call_one, part
 
 @part()
 def evaluate(function: int, x: Vector, u: Vector, p: Vector, m: Vector, out: Vector) -> int:
-    """Let the function at an address fill ``out``, a matrix column by column."""
+    """Call the function at an address, which fills the column-major matrix ``out``."""
     call_one(function, x, u, p, m, out)
     return 0

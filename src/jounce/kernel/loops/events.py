@@ -1,8 +1,8 @@
-"""Events: where within a step a switching function leaves the side that its mode stands for, and what happens there.
+"""Events: the points within a step at which a switching function leaves the side of its mode, and their effects.
 
-During a step the modes are held, so that every step integrates a smooth equation, also where its solution is already
-beyond the switch. Only afterwards the functions are looked at; they are cheap beside a step. Each method says how to
-evaluate one of them inside its step (``switch_at(problem, work, t, h, share, i)``); the search is the same for all.
+The modes are held during a step, so every step integrates a smooth equation, even if its solution passes the switch.
+The switching functions are evaluated afterwards, at a small fraction of the cost of a step. Each method provides the
+evaluation of one function inside its step (``switch_at(problem, work, t, h, share, i)``); the search is shared.
 """
 
 from __future__ import annotations
@@ -23,15 +23,16 @@ _LAST_PROBE = len(PROBES)
 
 
 def locator(switch_at: Any) -> Any:
-    """Make the search for events from what a method gives to evaluate one switching function inside its step."""
+    """Create the search for events from a method's evaluation of one switching function inside its step."""
 
     @part()
     def root(problem: Any, work: Any, t: float, h: float, i: int, low: float, high: float) -> float:
         """Locate the zero of switch ``i`` between two shares of a step (Illinois variant of regula falsi).
 
-        The value at ``high`` is beyond the dead band. The one at ``low`` should have the other sign, but where an event
-        has just been passed there it is rounding of either sign: then a point beside it on the right side is looked
-        for, ever nearer to it. Where there is none, the function turned at once, and the event is at ``low``.
+        The value at ``high`` is beyond the dead band. The value at ``low`` should have the opposite sign, but right
+        after an event it is rounding error of either sign. In that case the search looks for a nearby point on the
+        right side, at decreasing distances. If there is none, the function turned at once, and the event is at
+        ``low``.
         """
         g_low = switch_at(problem, work, t, h, low, i)
         g_high = switch_at(problem, work, t, h, high, i)
@@ -70,7 +71,7 @@ def locator(switch_at: Any) -> Any:
         probe: int,
         width: float,
     ) -> float:
-        """Where switch ``i`` is on the wrong side between three probes that are all on the right one; -1: nowhere.
+        """Find where switch ``i`` is on the wrong side between three probes on the right side; return -1 if nowhere.
 
         A short contact may begin and end between two probes. Follows the vertices of parabolas, starting with the one
         through the probes: a smooth function that dips below zero there is nearly one.
@@ -105,11 +106,11 @@ def locator(switch_at: Any) -> Any:
     def crossing(
         problem: Any, work: Any, t: float, h: float, g: Any, band: Any, intervals: int, edge: bool
     ) -> tuple[float, int]:
-        """First share of a step at which a switch leaves its side, and which switch does; (2, -1) when none does.
+        """Return the first fraction of a step at which a switch leaves its side, and the switch; (2, -1) if none does.
 
-        ``g`` holds the switching functions at equal distances over the step, from its start on; ``band`` is how far
-        each of them may lie on the wrong side. On a step that starts at an ``edge`` of the input the share is -1 for a
-        switch that the edge has thrown over.
+        ``g`` contains the switching functions at equal distances over the step, from its start on; ``band`` is the
+        distance by which each may be on the wrong side. On a step that starts at an ``edge`` of the input, the
+        fraction is -1 for a switch that was flipped by the edge.
         """
         modes = problem.m
         before, first, which = 0.0, 2.0, -1
@@ -147,7 +148,7 @@ def locator(switch_at: Any) -> Any:
 def switch_on_interpolant(
     problem: Any, work: Any, t: float, h: float, share: float, i: int
 ) -> float:
-    """Switching function ``i`` at a share of a step with an interpolant."""
+    """Evaluate switching function ``i`` at a fraction of a step by its interpolant."""
     work.times[0] = t + share * h
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_step(problem.engine.switch_at, work.rows, work.u, problem.p, problem.m, work.g, share)
@@ -160,7 +161,7 @@ crossing = locator(switch_on_interpolant)
 
 @part(forceinline=True)
 def rate(problem: Any, work: Any, t: float, into: int) -> None:
-    """Rate of the state at ``t``; the input there is left in node 0."""
+    """Evaluate the rate of the state at ``t``; the input there is stored in node 0."""
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     call_native(
@@ -170,9 +171,9 @@ def rate(problem: Any, work: Any, t: float, into: int) -> None:
 
 @part()
 def flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:
-    """Flip one mode at an event; sensitivities jump there.
+    """Flip one mode at an event, and apply the jump of the sensitivities.
 
-    An event that an edge of the input threw has a fixed time, which no parameter moves: nothing jumps.
+    An event caused by an edge of the input has a fixed time that no parameter shifts, so the sensitivities do not jump.
     """
     n, size = len(work.widest), work.rows.shape[1]
     jumps = size > n and not thrown
@@ -198,7 +199,7 @@ def flip(problem: Any, work: Any, t: float, which: int, thrown: bool) -> None:
 def _jump_sensitivities(rows: Any, slope: Any, which: int, n: int, columns: int) -> None:
     """Saltation: ``S+ = S- + (f+ - f-) (dg/dx S- + dg/dp) / (dg/dt)``, f- in the second rate and f+ in the first.
 
-    ``slope`` holds for each switch its slopes along the states and time; then, for each, those along the sensitivities.
+    ``slope`` contains the slopes of each switch along the states and time, followed by those along the sensitivities.
     """
     x, before, after = rows[STATE], rows[RATES + 1], rows[RATES]
     switches = slope.shape[1] // (n + 1 + columns)

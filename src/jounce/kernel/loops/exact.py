@@ -33,14 +33,14 @@ _INTERVALS = len(PROBES) - 1
 
 @part()
 def bound_rates(problem: Problem, props: Propagators) -> None:
-    """Put a bound of the rates (rad/s or 1/s) with the problem's modes into the room of the first propagator."""
+    """Write a bound of the rates (rad/s or 1/s) in the current modes into the first propagator."""
     read_slopes(problem, props, props.matrix[0])
     props.fastest[0] = rate_bound(props, props.matrix[0])
 
 
 @part()
 def propagate(work: Work) -> int:
-    """Go from the first sample to the last; give a status code."""
+    """Propagate from the first sample to the last; return a status code."""
     run, blocks, times = work.run, work.blocks, work.run.out.times
     problem, marks = run.problem, run.marks
     slack, sub = blocks.slack, 0
@@ -96,7 +96,7 @@ def _place(run: Any, t: float) -> None:
 
 @part(forceinline=True)
 def _regular(work: Any, sample: int) -> int:
-    """How many distances of samples, from one on, are such as the steps are made for."""
+    """Return the number of consecutive sample intervals that equal the interval of the steps."""
     odd, marks = work.blocks.odd, work.run.marks
     while odd[marks[4]] < sample:
         marks[4] += 1
@@ -105,7 +105,7 @@ def _regular(work: Any, sample: int) -> int:
 
 @part(forceinline=True)
 def _next_step(work: Any, sample: int, sub: int) -> tuple[float, float]:
-    """Start and end of the next step alone: up to the next sample where the steps do not fit."""
+    """Return start and end of the next single step: up to the next sample if the regular steps do not fit."""
     times, parts, step = work.run.out.times, work.blocks.parts, work.run.props.step
     if _regular(work, sample) == 0:
         return times[sample], times[sample + 1]
@@ -115,7 +115,7 @@ def _next_step(work: Any, sample: int, sub: int) -> tuple[float, float]:
 
 @part(forceinline=True)
 def _clock(work: Any, sample: int, sub: int, size: int) -> int:
-    """Lay out the times of up to ``size`` steps; give their number."""
+    """Set the times of up to ``size`` steps; return their number."""
     times, clock, parts, step = (
         work.run.out.times,
         work.blocks.clock,
@@ -136,9 +136,9 @@ def _clock(work: Any, sample: int, sub: int, size: int) -> int:
 
 @part(forceinline=True)
 def _lay_out(work: Any, nodes: int) -> int:
-    """Lay out what acts over each of ``nodes`` steps, apart from the state; give the number of steps that is good for.
+    """Tabulate the inputs of each of ``nodes`` steps; return the number of steps for which the table is valid.
 
-    A step in which a sine begins or ends, or in which jumps have no series, ends the block before it.
+    The block ends before a step in which a sine begins or ends, or in which jumps have no series.
     """
     run, blocks = work.run, work.blocks
     lay, rows = run.props.layout, blocks.rows
@@ -163,7 +163,7 @@ def _lay_out(work: Any, nodes: int) -> int:
 
 @part(forceinline=True)
 def _lay_track(work: Any, track: int, nodes: int) -> int:
-    """The same for one track."""
+    """Do the same for one track."""
     run, blocks = work.run, work.blocks
     lay, tracks, cell, clock = run.props.layout, run.problem.tracks, run.props.used[1], blocks.clock
     matrix, terms, slack, c = (
@@ -234,7 +234,7 @@ def _lay_track(work: Any, track: int, nodes: int) -> int:
 def _signals_at(
     tracks: Any, i: int, rate: float, s: float, node: int, value: Any, slope: Any, higher: Any
 ) -> None:
-    """Value and derivatives of a piece at a node."""
+    """Evaluate value and derivatives of a piece at a node."""
     c0, c1 = tracks.coefficients[i, 0], tracks.coefficients[i, 1]
     c2, c3 = tracks.coefficients[i, 2], tracks.coefficients[i, 3]
     second, third = rate * rate * (2.0 * c2 + 6.0 * s * c3), 6.0 * rate**3 * c3
@@ -251,7 +251,7 @@ def _signals_at(
 
 @part(forceinline=True)
 def _add_edge(work: Any, track: int, i: int, node: int, left: float) -> None:
-    """Add what a track's jumps of signals from piece ``i`` to the next make of the state at ``node``, ``left`` s on."""
+    """Add the effect of a track's signal jumps after piece ``i`` on the state at ``node``, ``left`` s later."""
     run, blocks, tracks = work.run, work.blocks, work.run.problem.tracks
     lay, powers, cell = run.props.layout, run.props.scratch.powers, run.props.used[1]
     terms, matrix = run.props.terms[cell], run.props.matrix[cell]
@@ -277,7 +277,7 @@ def _add_edge(work: Any, track: int, i: int, node: int, left: float) -> None:
 
 @part()
 def _jump(tracks: Any, track: int, i: int, j: int) -> float:
-    """Jump of the signal ``j`` of a track from its polynomial ``i`` to the next."""
+    """Return the jump of signal ``j`` of a track from its polynomial ``i`` to the next."""
     c, rate, stop = tracks.coefficients, tracks.rate[track], tracks.stop[i]
     s = rate * (stop - tracks.start[i])
     if j == 0:
@@ -303,7 +303,7 @@ def _throw(blocks: Any, row: int, node: int, jump: float) -> None:
 
 @part()
 def _throw_on_node(work: Any, track: int, i: int, node: int) -> None:
-    """Take down the jumps of a track from piece ``i`` to the next, on the node itself."""
+    """Record the jumps of a track from piece ``i`` to the next at the node itself."""
     blocks, tracks, found, lay = (
         work.blocks,
         work.run.problem.tracks,
@@ -324,7 +324,7 @@ def _throw_on_node(work: Any, track: int, i: int, node: int) -> None:
 
 @part(forceinline=True)
 def _block(work: Any, nodes: int, sub: int) -> tuple[int, int]:
-    """Take the steps that are laid out, up to an event; give the number of steps taken and a status code."""
+    """Compute the tabulated steps up to an event; return the number of steps and a status code."""
     run, blocks = work.run, work.blocks
     problem, lay = run.problem, run.props.layout
     matrix = run.props.matrix[run.props.used[1]]
@@ -392,9 +392,9 @@ def _look_at_block(work: Any, nodes: int) -> None:
 
 @part(forceinline=True)
 def _suspect(work: Any, first: int, nodes: int) -> int:
-    """First step in which a switch may leave its side, at its end or before; ``nodes`` where there is none.
+    """Return the first step in or at the end of which a switch may leave its side; ``nodes`` if there is none.
 
-    Inside a step a switch lies off its chord by what edges there can make of it, and by its curvature.
+    Inside a step, a switching function deviates from its chord by the effect of input edges and by its curvature.
     """
     run, blocks = work.run, work.blocks
     g, band, modes, found = blocks.g, run.band, run.problem.m, nodes
@@ -430,7 +430,7 @@ def _suspect(work: Any, first: int, nodes: int) -> int:
 
 @part(fastmath={"nnan", "nsz"})
 def _extremes(g: Any, side: float, nodes: int) -> tuple[float, float]:
-    """Lowest value and greatest bend of a switching function, seen from its side."""
+    """Return the lowest value and the largest curvature of a switching function, as seen from its side."""
     lowest, bend = min(side * g[0], side * g[nodes]), 0.0
     for k in range(1, nodes):
         lowest = min(lowest, side * g[k])
@@ -470,14 +470,14 @@ def _copy(source: Any, stride: int, to: Any) -> None:
 
 @part()
 def _longest_part(run: Any) -> float:
-    """Longest part of a step (s) that one series covers and in which no switch escapes notice."""
+    """Return the longest part of a step (s) that one series covers without missing a switch."""
     share = WATCHED if len(run.problem.m) > 0 else 1.0
     return float(share / run.props.fastest[run.props.used[1]])
 
 
 @part()
 def step_to(run: Any, t: float, end: float, slack: float) -> int:
-    """Take the state from ``t`` to ``end``, through all edges and events; give a status code."""
+    """Propagate the state from ``t`` to ``end`` through all edges and events; return a status code."""
     problem, marks = run.problem, run.marks
     while True:
         edge = advance(problem.tracks, problem.piece, t, slack)
@@ -516,7 +516,7 @@ def step_to(run: Any, t: float, end: float, slack: float) -> int:
 
 @part()
 def _settle(run: Any, t: float) -> int:
-    """Throw over the switches that lie on the wrong side now."""
+    """Flip the switches that are on the wrong side now."""
     problem, marks = run.problem, run.marks
     if len(problem.m) == 0:
         return COMPLETED
@@ -545,7 +545,7 @@ def _flip(run: Any, which: int) -> None:
 
 @part()
 def _switches_at(run: Any, t: float, x: Any, row: int) -> None:
-    """Switching functions at a time and a state, into a row."""
+    """Evaluate the switching functions at a time and a state into a row."""
     problem = run.problem
     run.time[0] = t
     fill(problem.tracks, problem.piece, run.time, run.u)
@@ -556,7 +556,7 @@ def _switches_at(run: Any, t: float, x: Any, row: int) -> None:
 
 @part()
 def _expand(run: Any, t: float, length: float) -> None:
-    """Series of the state over a part of a step."""
+    """Compute the series of the state over a part of a step."""
     problem, props = run.problem, run.props
     room = props.scratch
     run.part[0], run.part[1] = t, length
@@ -577,7 +577,7 @@ def _expand(run: Any, t: float, length: float) -> None:
 
 @part()
 def _derivatives(tracks: Any, i: int, rate: float, t: float, to: Any) -> int:
-    """Derivatives of a piece at a time; how many of them there are."""
+    """Compute the derivatives of a piece at a time; return their number."""
     s = rate * (t - tracks.start[i])
     c0, c1, c2, c3 = (
         tracks.coefficients[i, 0],
@@ -604,7 +604,7 @@ def _derivatives(tracks: Any, i: int, rate: float, t: float, to: Any) -> int:
 
 @part()
 def _state_at(run: Any, after: float) -> None:
-    """State so long after the start of the part, into ``trial``."""
+    """Compute the state at a time after the start of the part into ``trial``."""
     room, terms = run.props.scratch, run.orders[0]
     powers_of(room.powers, 1.0, after, terms + 1)
     for d in range(run.trial.shape[1]):
@@ -614,14 +614,14 @@ def _state_at(run: Any, after: float) -> None:
 
 @part()
 def _look(run: Any, share: float, row: int) -> None:
-    """Switching functions at a share of the part, into a row."""
+    """Evaluate the switching functions at a fraction of the part into a row."""
     _state_at(run, share * run.part[1])
     _switches_at(run, run.part[0] + share * run.part[1], run.trial, row)
 
 
 @part()
 def _switch_at(problem: Any, run: Any, t: float, length: float, share: float, i: int) -> float:
-    """One switching function at a share of the part."""
+    """Evaluate one switching function at a fraction of the part."""
     _look(run, share, len(PROBES))
     return float(run.props.scratch.switches[len(PROBES), i])
 
@@ -631,9 +631,9 @@ _locate = locator(_switch_at)
 
 @part()
 def _crossing(run: Any) -> tuple[float, int]:
-    """First share of the part at which a switch leaves its side, and which; (2, -1) when none does.
+    """Return the first fraction of the part at which a switch leaves its side, and the switch; (2, -1) if none does.
 
-    The switching functions at its start are known: ``_settle`` has just looked at them.
+    The switching functions at its start are known: ``_settle`` has just evaluated them.
     """
     g = run.props.scratch.switches
     for probe in range(1, _INTERVALS + 1):

@@ -16,14 +16,14 @@ _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 5.0  # usual choices (Hairer, Norsett, Wanne
 
 @part(forceinline=True)
 def _look(problem: Any, method: Any, work: Any, t: float, changed: bool) -> None:
-    """Rate at the start of a step; it is that at the end of the last one unless something has moved the state since."""
+    """Provide the rate at the start of a step; reuse that at the end of the last step if the state is unchanged."""
     if changed or problem.engine.project != 0:
         rate(problem, work, t, RATES)
 
 
 @part(forceinline=True)
 def _step(problem: Any, method: Any, control: Any, work: Any, t: float, h: float) -> float:
-    """One step from the state to the end row, with the rate there."""
+    """Compute one step from the state to the end row, and the rate there."""
     inputs(problem, work, t, h, problem.engine.first, LAST_STAGE + 1)
     call_step(problem.engine.step, work.rows, work.u, problem.p, problem.m, work.g, h)
     work.step[0] = h
@@ -41,7 +41,7 @@ def _step(problem: Any, method: Any, control: Any, work: Any, t: float, h: float
 
 @part(forceinline=True)
 def _dense(problem: Any, method: Any, work: Any, t: float, h: float) -> None:
-    """Three more stages, the coefficients of the interpolant on this step and the inputs at the probes."""
+    """Compute three more stages, the coefficients of the interpolant of this step, and the inputs at the probes."""
     inputs(problem, work, t, h, problem.engine.after, FIRST_PROBE + len(PROBES))
     call_step(problem.engine.dense, work.rows, work.u, problem.p, problem.m, work.g, h)
 

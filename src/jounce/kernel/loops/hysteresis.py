@@ -8,7 +8,7 @@ from jounce.kernel.loops.compiling import part
 
 @part()
 def _rate(u: float, sigma: float, exponent: float) -> float:
-    """du/ds for motion in the direction in which u is counted."""
+    """Return du/ds for motion in the positive direction of u."""
     if u >= 0.0:
         return float(1.0 - u**exponent)
     return float(1.0 + (2.0 * sigma - 1.0) * (-u) ** exponent)

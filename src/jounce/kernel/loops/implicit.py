@@ -20,7 +20,7 @@ _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 4.0
 
 @part()
 def _look(problem: Any, method: Any, work: Any, t: float, changed: bool) -> None:
-    """Rates and their slopes at the state and ``t``, and how the rates change in time through the input alone."""
+    """Evaluate the rates, their slopes, and their time derivative due to the input alone, at the state and ``t``."""
     work.times[0] = t
     fill(problem.tracks, problem.piece, work.times[:1], work.u[:, :1])
     address = method.slopes_at
@@ -45,7 +45,7 @@ def _look(problem: Any, method: Any, work: Any, t: float, changed: bool) -> None
 
 @part()
 def _step(problem: Any, method: Any, control: Any, work: Any, t: float, h: float) -> float:
-    """One step from the state to the end row."""
+    """Compute one step from the state to the end row."""
     method.right[0] = 1.0 / (GAMMA * h)
     address = method.slopes_at
     call_native(
@@ -81,7 +81,7 @@ def _step(problem: Any, method: Any, control: Any, work: Any, t: float, h: float
 
 @part()
 def _error(work: Any, method: Any, tolerance: float) -> float:
-    """Error of the states relative to what is allowed (root mean square): the last stage, of order 4."""
+    """Return the r.m.s. error of the states relative to the tolerance, from the last stage (order 4)."""
     total, n = 0.0, len(work.widest)
     for d in range(n):
         share = method.k[STAGES - 1, d] / (
@@ -93,7 +93,7 @@ def _error(work: Any, method: Any, tolerance: float) -> float:
 
 @part()
 def _dense(problem: Any, method: Any, work: Any, t: float, h: float) -> None:
-    """Coefficients of the interpolant, in the nested form of the explicit one, and the inputs at the probes."""
+    """Compute the interpolant, in the nested form of the explicit method, and the inputs at the probes."""
     address = method.slopes_at
     call_step(
         address.interpolant, work.rows, method.k, method.slopes, method.factors, method.right, h

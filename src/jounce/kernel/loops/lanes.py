@@ -21,7 +21,7 @@ _STILL, _START = 0, 1  # rows of the ends of a course
 
 @part()
 def follow(work: Work) -> None:
-    """Fill in what is found of every variant of the span."""
+    """Compute the results of every variant of the span."""
     wide = work.room.kept.shape[1]
     for first in range(work.span[0], work.span[1], wide):
         last = min(first + wide, work.span[1])
@@ -34,7 +34,7 @@ def follow(work: Work) -> None:
 
 @part(forceinline=True)
 def _run_of(work: Any, lane: int) -> Any:
-    """The run of one variant of the block: its own parameters, modes and propagators, and room that all share."""
+    """Return the run of one variant of the block: its parameters, modes, propagators, and shared scratch arrays."""
     run, room, count = work.run, work.room, work.room.fastest.shape[1]
     problem, props, own = run.problem, run.props, lane * count
     return Run(
@@ -79,7 +79,7 @@ def _run_of(work: Any, lane: int) -> Any:
 
 @part()
 def _lay_out(work: Any, variant: int, lane: int) -> None:
-    """Put what a step needs of a variant into its lane, and the variant where it rests."""
+    """Write the step data of a variant into its lane, and set the variant to its rest position."""
     room, course, none = work.room, work.course, work.modes
     call_native(
         work.addresses.derived,
@@ -132,7 +132,7 @@ def _lay_out(work: Any, variant: int, lane: int) -> None:
 
 @part()
 def _lose(work: Any, variant: int, lane: int) -> None:
-    """Leave a variant to itself: what is in its lane means nothing from here on."""
+    """Exclude a variant: its lane is invalid from here on."""
     room = work.room
     work.alone[variant], room.lost[lane] = 1, 1
     for i in range(room.kept.shape[0]):
@@ -149,7 +149,7 @@ def _fits(work: Any, run: Any) -> bool:
 
 @part()
 def _rest(work: Any, run: Any) -> bool:
-    """Find where the variant rests, with its modes held: Gauss, with the greatest pivot; tell whether there is such."""
+    """Solve for the rest position of the variant in its modes by Gaussian elimination with pivoting; return success."""
     props, table, state = run.props, work.room.balance, work.room.state
     matrix, lay, n = props.matrix[props.used[1]], props.layout, props.layout.states
     for d in range(n):
@@ -186,7 +186,7 @@ def _rest(work: Any, run: Any) -> bool:
 
 @part()
 def _change(work: Any, run: Any, variant: int, lane: int) -> None:
-    """Give a lane what a step needs in the modes of its variant."""
+    """Update the step data of a lane for the modes of its variant."""
     room, modes = work.room, run.problem.m
     c = lane * room.fastest.shape[1] + run.props.used[1]
     column, first = room.columns[c], room.columns.shape[1] - len(modes)
@@ -202,7 +202,7 @@ def _change(work: Any, run: Any, variant: int, lane: int) -> None:
 
 @part()
 def _lay_column(work: Any, run: Any, variant: int, lane: int, column: Any) -> None:
-    """Write what a step needs: images of the states, drift, forcing, series, rows of outputs, numbers, modes."""
+    """Write the step data: images of the states, drift, forcing, series, rows of outputs, parameters, modes."""
     props = run.props
     matrix, lay, n = props.matrix[props.used[1]], props.layout, props.layout.states
     at = 0
@@ -231,7 +231,7 @@ def _put(column: Any, at: int, matrix: Any, row: int, count: int) -> int:
 
 @part()
 def _lay_outputs(work: Any, run: Any, variant: int, lane: int, column: Any, at: int) -> int:
-    """Write the rows of outputs, about their values at rest; give the place behind them."""
+    """Write the rows of the outputs relative to their values at rest; return the next free position."""
     problem, room, still = run.problem, work.room, work.course.still
     n, inputs = room.rest.shape[1], len(still)
     _read_rows(work, run)
@@ -256,7 +256,7 @@ def _lay_outputs(work: Any, run: Any, variant: int, lane: int, column: Any, at: 
 
 @part()
 def _read_rows(work: Any, run: Any) -> None:
-    """Slopes of the outputs looked at, along states and inputs."""
+    """Read the slopes of the evaluated outputs along states and inputs."""
     problem, calls, room, lay = run.problem, run.props.calls, run.props.scratch, run.props.layout
     n, lanes, directions = lay.states, calls.lanes, lay.states + lay.inputs
     for first in range(0, directions, lanes):
@@ -274,7 +274,7 @@ def _read_rows(work: Any, run: Any) -> None:
 
 @part()
 def _look(work: Any, run: Any, lane: int, address: int, ends: Any, row: int) -> None:
-    """Sum up outputs and look at the switches where a variant is: sums so far are in ``one``, and go on there."""
+    """Add the outputs of a variant to the sums in ``one``, and evaluate its switches."""
     room = work.room
     for i in range(room.rest.shape[1]):
         room.one[0, i] = room.state[i, 0]
@@ -284,7 +284,7 @@ def _look(work: Any, run: Any, lane: int, address: int, ends: Any, row: int) -> 
 
 @part()
 def _is_sound(work: Any, one: Any) -> bool:
-    """Whether all switching functions are on their side, but for rounding."""
+    """Return whether all switching functions are on their side, apart from rounding."""
     switches, sound = len(work.modes), True
     for i in range(switches):
         sound = (
@@ -295,7 +295,7 @@ def _is_sound(work: Any, one: Any) -> bool:
 
 @part()
 def _march(work: Any, first: int, count: int) -> None:
-    """Take a block of variants through the whole course."""
+    """Propagate a block of variants through the whole course."""
     room, course, addresses = work.room, work.course, work.addresses
     here, there, last = room.kept, room.next, room.kept.shape[0] - 1
     watched, sub = len(work.modes) > 0, 0
@@ -339,7 +339,7 @@ def _lowest(row: Any) -> float:
 def _step_alone(
     work: Any, variant: int, lane: int, k: int, sampled: bool, here: Any, there: Any
 ) -> None:
-    """Take one variant over a step by itself, through its events, and bring it back to the others."""
+    """Propagate one variant separately over a step, through its events, and return it to the block."""
     room, course, run = work.room, work.course, _run_of(work, lane)
     n, last = room.rest.shape[1], room.kept.shape[0] - 1
     advance(run.problem.tracks, room.piece, course.clock[k], work.slack)
@@ -368,7 +368,7 @@ def _step_alone(
 
 @part()
 def _take_down(work: Any, variant: int, lane: int) -> None:
-    """Take down what was found of a variant."""
+    """Store the results of a variant."""
     kept, n, sums = work.room.kept, work.room.rest.shape[1], work.sums.shape[1]
     if work.alone[variant] == 1:
         return

@@ -1,4 +1,4 @@
-"""Make the code of all loops, as ``make loops`` does: ``python -m jounce.kernel.loops.make [--all-platforms]``."""
+"""Compile all loops, as ``make loops`` does: ``python -m jounce.kernel.loops.make [--all-platforms]``."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from jounce.kernel.loops import BUILT, LOOPS, PLATFORMS, SOURCES, key_of, this_p
 
 
 def make(name: str, platforms: list[str]) -> float:
-    """Write the bitcode of a loop and its objects; give the processor time that took (s), 0 where all is there."""
+    """Write the bitcode and objects of a loop; return the processor time (s), 0 if everything is up to date."""
     digest, started = digest_of(*SOURCES), time.process_time()
     file, key = BUILT / f"{name}.bc", key_of(name, digest)
     bitcode, made = read_sealed(file, key), False
@@ -46,7 +46,7 @@ def _write(file: Path, key: str, content: bytes) -> None:
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Make what is missing or stale."""
+    """Compile the loops that are missing or stale."""
     parser = argparse.ArgumentParser(prog="python -m jounce.kernel.loops.make", description=__doc__)
     parser.add_argument(
         "--all-platforms", action="store_true", help="objects for every platform, as in a wheel"

@@ -24,7 +24,7 @@ _GROWTH = 2.0
 
 @part()
 def _correct(walk: Any, work: Any, size: int) -> bool:
-    """Move the pose in row 0 onto the constraints for the inputs given; tell whether it got there."""
+    """Project the pose in row 0 onto the constraints for the given inputs; return success."""
     last = np.inf
     for _ in range(_STEPS):
         call_native(walk.pose, work.rows, 0, work.u, walk.p, work.m, work.out, 0)
@@ -45,7 +45,7 @@ def _correct(walk: Any, work: Any, size: int) -> bool:
 
 @part()
 def _belongs(walk: Any, work: Any, i: int, step: float, length: float) -> bool:
-    """Tell whether the corrected pose in row 0 goes on from the one in row 1, for a share of a way of that length."""
+    """Return whether the corrected pose in row 0 continues that in row 1, for a fraction of a path of that length."""
     # A pose that closes the loops may still be one of another branch. Two signs tell: it is not where the prediction
     # was, or a coordinate has not gone the mean of its slopes at both ends, which a smooth way of that length must.
     size, tracks, j = len(walk.start), walk.targets.shape[1], walk.before[i]
@@ -73,7 +73,7 @@ def _belongs(walk: Any, work: Any, i: int, step: float, length: float) -> bool:
 def _curved(
     walk: Any, found: Any, i: int, j: int, d: int, slope: float, size: int
 ) -> tuple[float, float]:
-    """Second and third coefficient of the cubic through the poses j and before it, along the way from j to i."""
+    """Return the second and third coefficients of the cubic through the poses up to j, along the path to i."""
     g = walk.before[j]
     ahead, back, across = 0.0, 0.0, 0.0
     for t in range(walk.targets.shape[1]):
@@ -97,7 +97,7 @@ def _curved(
 
 @part()
 def _go(walk: Any, found: Any, work: Any, i: int) -> float:
-    """Walk to target ``i`` from the one before it; give the share of the way that could be walked."""
+    """Move from the previous target to target ``i``; return the fraction of the path that was reached."""
     size, tracks, j = len(walk.start), walk.targets.shape[1], walk.before[i]
     length = 0.0
     for t in range(tracks):
@@ -146,7 +146,7 @@ def _go(walk: Any, found: Any, work: Any, i: int) -> float:
 
 @part()
 def _drive(walk: Any, work: Any, i: int, share: float) -> None:
-    """Inputs at a share of the way to target ``i``."""
+    """Set the inputs at a fraction of the path to target ``i``."""
     j = walk.before[i]
     for t in range(walk.targets.shape[1]):
         origin = walk.targets[j, t] if j >= 0 else walk.origin[t]
@@ -157,7 +157,7 @@ def _drive(walk: Any, work: Any, i: int, share: float) -> None:
 
 @part()
 def _slopes_at(walk: Any, work: Any, size: int, share: float, i: int) -> None:
-    """Leave the coordinates' slopes at the pose in row 1 in ``out``."""
+    """Write the slopes of the coordinates at the pose in row 1 into ``out``."""
     _drive(walk, work, i, share)
     for d in range(size):
         work.rows[0, d] = work.rows[1, d]
@@ -166,7 +166,7 @@ def _slopes_at(walk: Any, work: Any, size: int, share: float, i: int) -> None:
 
 @part()
 def walk_poses(walk: Walk, found: Found, work: Work) -> None:
-    """Find all targets and their outputs."""
+    """Compute all target poses and their outputs."""
     _find(walk, found, work)
 
 
@@ -201,7 +201,7 @@ def walk_variants(
     chosen: Integers,
     out: Block,
 ) -> None:
-    """Find all targets and the chosen outputs for each row of parameter values."""
+    """Compute all target poses and the chosen outputs for each row of parameter values."""
     for k in range(variants.shape[0]):
         for c in range(variants.shape[1]):
             walk.p[c] = variants[k, c]

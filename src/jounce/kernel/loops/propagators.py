@@ -1,4 +1,4 @@
-"""How propagators are made (see ``methods.propagators``)."""
+"""Computation of propagators (see ``methods.propagators``)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _FAR = 1e6  # how far inputs are moved to see what they make of switching functi
 
 @part()
 def find(problem: Any, props: Any) -> None:
-    """Use the propagator of the problem's modes; make it where there is none yet."""
+    """Select the propagator of the current modes; build it if it does not exist yet."""
     modes, used = problem.m, props.used
     for c in range(min(used[0], len(props.fastest))):
         same = True
@@ -61,7 +61,7 @@ def build(problem: Any, props: Any, c: int) -> None:
 
 @part()
 def terms_for(z: float, close: float) -> int:
-    """Number of terms after which the series of ``e^z`` has nothing to add."""
+    """Return the number of significant terms of the series of ``e^z``."""
     term, count = 1.0, 0
     while term > close and count < TERMS - 1:
         count += 1
@@ -92,7 +92,7 @@ def read_slopes(problem: Any, props: Any, matrix: Any) -> None:
 
 @part()
 def rate_bound(props: Any, matrix: Any) -> float:
-    """Bound of the rates of a model (rad/s or 1/s): a norm of ``A^4`` in typical sizes of the states."""
+    """Return a bound of the rates of a model (rad/s or 1/s): a norm of ``A^4``, scaled by typical state sizes."""
     n, width, first = props.layout.states, matrix.shape[1], props.layout.slope
     square, scale = props.scratch.square, props.scale
     square[:] = 0.0
@@ -139,9 +139,9 @@ def spread_derivatives(room: Any, track: int, order: int, terms: int) -> None:
 def expand(
     props: Any, matrix: Any, constant: float, driven: int, terms: int, to: Any, row: int
 ) -> None:
-    """Series of the state up to the order ``terms``, from its order 0 in ``to[row]`` on.
+    """Compute the series of the state up to the order ``terms`` from its order 0 in ``to[row]``.
 
-    ``constant`` says how often ``r`` acts, and ``driven`` is how many orders the series of the inputs has.
+    ``constant`` is the factor of ``r``, and ``driven`` the number of orders in the series of the inputs.
     """
     lay, width = props.layout, to.shape[1]
     for p in range(terms):
@@ -167,7 +167,7 @@ def expand(
 
 @part(forceinline=True)
 def powers_of(powers: Any, factor: float, t: float, count: int) -> None:
-    """``factor`` times the powers of ``t`` from order 0 on."""
+    """Compute ``factor`` times the powers of ``t``, starting with order 0."""
     for p in range(count):
         powers[p] = factor
         factor *= t
@@ -175,7 +175,7 @@ def powers_of(powers: Any, factor: float, t: float, count: int) -> None:
 
 @part()
 def _first_step(props: Any, matrix: Any, h: float, terms: int) -> None:
-    """Rows for a step at which all series converge."""
+    """Compute the rows for a step at which all series converge."""
     lay, room = props.layout, props.scratch
     series, powers = room.series, room.powers
     room.inputs[:] = 0.0
@@ -196,7 +196,7 @@ def _first_step(props: Any, matrix: Any, h: float, terms: int) -> None:
 
 @part()
 def _force(props: Any, matrix: Any, wave: int, track: int, signal: int, terms: int) -> None:
-    """What one signal adds over a step; on polynomials its series is kept."""
+    """Compute the contribution of one signal over a step; for polynomials its series is stored."""
     lay, room = props.layout, props.scratch
     square = props.frequency[wave] ** 2
     room.derivatives[:] = 0.0
@@ -218,7 +218,7 @@ def _force(props: Any, matrix: Any, wave: int, track: int, signal: int, terms: i
 
 @part()
 def _double(props: Any, matrix: Any, h: float) -> None:
-    """From the rows of a step of length ``h`` to those of twice that."""
+    """Compute the rows of a step of length ``2 h`` from those of ``h``."""
     lay, width = props.layout, matrix.shape[1]
     old = props.scratch.square
     for wave in range(lay.waves):
@@ -242,7 +242,7 @@ def _double(props: Any, matrix: Any, h: float) -> None:
 
 @part()
 def _double_forcing(props: Any, matrix: Any, first: int) -> None:
-    """The same for what the signals of one track add; ``turned`` takes them over the first step."""
+    """Do the same for the contributions of the signals of one track; ``turned`` advances them over the first step."""
     lay, old, width = props.layout, props.scratch.square, matrix.shape[1]
     for j in range(lay.signals):
         for d in range(width):
@@ -256,7 +256,7 @@ def _double_forcing(props: Any, matrix: Any, first: int) -> None:
 
 @part()
 def _turn(turned: Any, w: float, h: float) -> None:
-    """How the signals at one time follow from those a step before."""
+    """Compute the matrix that advances the signals by one step."""
     turned[:] = 0.0
     turned[0, 0] = 1.0
     if w == 0.0:
@@ -275,10 +275,10 @@ def _turn(turned: Any, w: float, h: float) -> None:
 
 @part()
 def _kicks(problem: Any, props: Any, matrix: Any, c: int) -> None:
-    """Fill in how far a jump of each signal, by one, may throw each switching function off its chord.
+    """Compute the largest deviation of each switching function from its chord due to a unit jump of each signal.
 
-    The jump itself counts, and a quarter of a step of the bend that it makes; twice that, to be safe. On the end of a
-    step only the jump itself counts: just before it, the function was off by that.
+    The deviation is the jump itself plus the curvature that it causes over a quarter step, doubled for safety. At the
+    end of a step only the jump itself counts, because the function deviates by it just before the end.
     """
     lay, kick, throw, found = props.layout, props.kick[c], props.throw[c], props.scratch.thrown
     if len(problem.m) == 0:
@@ -300,9 +300,9 @@ def _kicks(problem: Any, props: Any, matrix: Any, c: int) -> None:
 
 @part()
 def _throws(problem: Any, props: Any, matrix: Any) -> None:
-    """Change of the switching functions along each input, then along the rates that each input makes, both ways.
+    """Compute the change of the switching functions along each input, then along its effect on the rates, both ways.
 
-    So far out that of several lines, of which a function is the lowest, the steepest counts.
+    The evaluation point is far out, so for a function that is the minimum of several lines, the steepest one counts.
     """
     lay, room = props.layout, props.scratch
     found, here, x, u = room.thrown, room.switches, room.seeds, room.base

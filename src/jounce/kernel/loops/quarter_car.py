@@ -1,4 +1,4 @@
-"""The quarter car in the bins of a record (see ``inspection.quarter_car``)."""
+"""Quarter car in the frequency bins of a record (see ``inspection.quarter_car``)."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def _over(value):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
 
 @part(fastmath=FAST)
 def _take_off(row, basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    """Make a row orthogonal to those of a basis; gives nothing back but the row."""
+    """Make a row orthogonal to the rows of a basis, in place."""
     for k in range(basis.shape[0]):
         share = dot(basis[k], row)
         for i in range(row.size):
@@ -26,7 +26,7 @@ def _take_off(row, basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN20
 
 @part(fastmath=FAST)
 def _bins(parameters, speed, height, force, basis, gap, slopes, falls):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    """Fill transients, what the response misses, its slopes, and relative slopes of the denominator, bin by bin."""
+    """Fill in transients, residuals of the response, their slopes, and relative slopes of the denominator, per bin."""
     unsprung, rate, damping, stiffness, loss, sprung = parameters
     n = speed.size
     for i in range(n):
@@ -61,7 +61,7 @@ def _bins(parameters, speed, height, force, basis, gap, slopes, falls):  # type:
 
 @part(fastmath=FAST)
 def _make_orthonormal(basis):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    """Gram and Schmidt, twice, which is enough."""
+    """Orthonormalise by two passes of Gram-Schmidt, which are sufficient."""
     for k in range(basis.shape[0]):
         for _ in range(2):
             size = math.sqrt(dot(basis[k], basis[k]))
@@ -87,7 +87,7 @@ def equations(
     normal: Matrix,
     right: Vector,
 ) -> None:
-    """Fill in what is left of the force and the normal equations; the first four arrays behind the bins are room."""
+    """Compute the residual force and the normal equations; the first four arrays after the bins are scratch space."""
     n = speed.size
     _bins(parameters, speed, height, force, basis, gap, slopes, falls)
     _make_orthonormal(basis)

@@ -1,4 +1,4 @@
-"""Calls of the loops over rows (``methods.rows``)."""
+"""Calls of the native loops over rows (``methods.rows``)."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def add_rows(
     count: Any,
     stride: Any,
 ) -> Any:
-    """``to[row] += sum_j weight_j matrix[first + j]``, ``j < count``; weights lie ``stride`` apart, from ``at`` on."""
+    """``to[row] += sum_j weight_j matrix[first + j]``, ``j < count``; weights are ``stride`` apart, from ``at`` on."""
     integer = types.int64
     signature = types.void(
         integer, to, integer, matrix, integer, weights, integer, integer, integer
@@ -45,7 +45,7 @@ def add_rows(
 def set_rows(
     typing_context: Any, address: Any, to: Any, first: Any, matrix: Any, row: Any, count: Any
 ) -> Any:
-    """Make ``count`` rows equal to one of a matrix."""
+    """Set ``count`` rows to one row of a matrix."""
     integer = types.int64
     signature = types.void(integer, to, integer, matrix, integer, integer)
 
@@ -68,10 +68,10 @@ def march(
     signals: Any,
     to: Any,
 ) -> Any:
-    """From the state in row 0 on, write the states after each of ``count`` steps into the columns of ``to``.
+    """Write the states after each of ``count`` steps from the state in row 0 into the columns of ``to``.
 
     ``x <- x + E x + rows[k + 1] + sum_j signals[j, k] matrix[first + j]``, ``j < forced``; the images of ``E`` are the
-    first rows of ``matrix``. ``signals`` and ``to`` have as many columns as each other.
+    first rows of ``matrix``. ``signals`` and ``to`` have equally many columns.
     """
     integer = types.int64
     signature = types.void(integer, rows, integer, matrix, integer, integer, signals, to)

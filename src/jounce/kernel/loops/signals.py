@@ -1,7 +1,7 @@
-"""What goes into a run and what comes out of it: inputs at times, samples, commands of a controller.
+"""Inputs and outputs of a run: inputs at given times, samples, commands of a controller.
 
-Every track is a chain of closed-form pieces (lines and cubics, sines, circles). Which piece holds is kept by the loop
-and moved on at edges only, so that every stage of a step sees the same smooth function, also one that ends on an edge.
+Every track is a chain of closed-form pieces (lines and cubics, sines, circles). The loop stores the current piece and
+advances it only at edges, so all stages of a step see the same smooth function, even if the step ends at an edge.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _BLOCK = 256
 
 @part()
 def advance(tracks: Any, piece: Any, t: float, slack: float) -> float:
-    """Move ``piece`` to the pieces that hold just after ``t``; give the next edge of any track."""
+    """Advance ``piece`` to the pieces valid just after ``t``; return the next edge of any track."""
     edge = np.inf
     for k in range(len(piece)):
         last = tracks.first[k + 1] - 1
@@ -47,7 +47,7 @@ def _fill_line(times: Any, start: float, height: float, slope: float, rows: Any)
 
 @part()
 def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
-    """Fill a column of ``u`` for each time with (value, rate[, acceleration]) of every track, on the pieces given."""
+    """Fill a column of ``u`` for each time with (value, rate[, acceleration]) of every track, on the given pieces."""
     start, kind, coefficients, rates = tracks.start, tracks.kind, tracks.coefficients, tracks.rate
     order = u.shape[0] // max(len(piece), 1)
     for k in range(len(piece)):
@@ -89,7 +89,7 @@ def fill(tracks: Any, piece: Any, times: Any, u: Any) -> None:
 
 @part()
 def fill_rates(tracks: Any, piece: Any, t: float, u: Any) -> None:
-    """Fill ``u`` with the rates of what ``fill`` gives at ``t``: (rate, acceleration[, jerk]) of every track."""
+    """Fill ``u`` with the derivatives of what ``fill`` writes at ``t``: (rate, acceleration[, jerk]) of every track."""
     order = len(u) // max(len(piece), 1)
     for k in range(len(piece)):
         i, rate = piece[k], tracks.rate[k]
@@ -123,7 +123,7 @@ def fill_rates(tracks: Any, piece: Any, t: float, u: Any) -> None:
 def _interpolate(
     problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any
 ) -> None:
-    """States at the samples ``first`` to ``last``, on the step from ``t``."""
+    """Interpolate the states at the samples ``first`` to ``last`` on the step from ``t``."""
     for i in range(first, last):
         call_step(
             problem.engine.point_at,
@@ -140,10 +140,10 @@ def _interpolate(
 
 @part()
 def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
-    """Move the samples ``first`` to ``last`` onto the constraints.
+    """Project the samples ``first`` to ``last`` onto the constraints.
 
-    Between the ends of a step samples lie further from them than one projection can close. The block is projected again
-    until it could.
+    Inside a step, samples may be too far from the constraints for one projection. The block is projected again until it
+    converges.
     """
     address, count = problem.engine.project_many, last - first
     told = out.projected.shape[0] - out.states.shape[0]  # rows above those of the states
@@ -165,7 +165,7 @@ def _project_samples(problem: Any, out: Any, first: int, last: int) -> None:
 def _carry_samples(
     problem: Any, work: Any, t: float, h: float, first: int, last: int, out: Any
 ) -> None:
-    """Outputs at the samples ``first`` to ``last`` with the sensitivities of states and outputs."""
+    """Compute outputs at the samples ``first`` to ``last`` with the sensitivities of states and outputs."""
     n, rows = out.states.shape[0], work.rows
     for i in range(first, last):
         call_step(
@@ -192,9 +192,10 @@ def _carry_samples(
 
 @part()
 def finish_samples(problem: Any, work: Any, out: Any) -> None:
-    """Move the samples placed since the last time onto the constraints, and write their outputs.
+    """Project the samples placed since the last call onto the constraints, and write their outputs.
 
-    That is done for many samples at once: native code takes several side by side. The modes must be those of the steps.
+    Many samples are processed at once, because native code handles several side by side. The modes must be those of the
+    steps.
     """
     first, count = work.marks[1], work.marks[0] - work.marks[1]
     if count == 0:
@@ -235,7 +236,7 @@ def place_samples(problem: Any, work: Any, t: float, h: float, until: float, out
 
 @part()
 def regulate(problem: Any, control: Any, rows: Any, t: float) -> int:
-    """Measure at ``t``, call the law, set the commands; tell how that ended."""
+    """Measure at ``t``, call the law and set the commands; return the status."""
     for d in range(len(control.bound)):
         control.states[d, 0] = rows[STATE, d]
         # A loop that diverges does so for thousands of instants before numbers overflow: it is stopped when it is

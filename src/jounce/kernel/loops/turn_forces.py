@@ -1,4 +1,4 @@
-"""What a force does in each period of a plate (see ``inspection.turn_forces``)."""
+"""Properties of a force in each period of a plate (see ``inspection.turn_forces``)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _PER_TURN = 40.0  # samples of a turn that are worked out, at least
 
 @part(fastmath=FAST)
 def _weigh(weight, wave, bell, reach, period, taps, half):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    """Taps of one period; the sampled ones, too, are given the gain 1 at 0 and at the period's frequency."""
+    """Compute the filter taps of one period, normalised to gain 1 at 0 and at the frequency of the period."""
     for j in range(reach + 1):
         place = j / period / half * (taps.size - 1)
         k = min(int(place), taps.size - 2)
@@ -38,7 +38,7 @@ def _weigh(weight, wave, bell, reach, period, taps, half):  # type: ignore[no-un
 
 @part(fastmath=False)
 def _fall_and_rise(smooth, at, length, line):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    """Places where a signal falls below a line before its least value and rises above it afterwards, else NaN."""
+    """Return where a signal falls below a line before its minimum and rises above it afterwards; NaN if it does not."""
     fall, rise = math.nan, math.nan
     m = at
     while m > 0 and smooth[m] < line:
@@ -55,7 +55,7 @@ def _fall_and_rise(smooth, at, length, line):  # type: ignore[no-untyped-def] # 
 
 @part(fastmath=False)
 def _vertex(smooth, at):  # type: ignore[no-untyped-def] # noqa: ANN001, ANN202
-    """Value of the parabola through three samples at its turning point, and where that is from the middle one."""
+    """Return the extreme value of the parabola through three samples, and its position relative to the middle one."""
     bend = smooth[at - 1] - 2.0 * smooth[at] + smooth[at + 1]
     tilt = smooth[at - 1] - smooth[at + 1]
     if abs(tilt) >= abs(bend) or bend == 0.0:
@@ -81,7 +81,7 @@ def find(
     bell: Vector,
     found: Block,
 ) -> None:
-    """Fill in what each force does in each period; the four arrays before ``found`` are room."""
+    """Compute the properties of each force in each period; the four arrays before ``found`` are scratch space."""
     count, rows, samples = tops.size, signals.shape[0], signals.shape[1]
     for i in range(count):
         f = frequencies[i]

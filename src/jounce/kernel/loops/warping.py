@@ -14,7 +14,7 @@ _STRIP = 1024  # cells of one anti-diagonal
 
 @part(forceinline=True)
 def _span(s: int, n: int, radius: int) -> tuple[int, int]:
-    """First and last m of anti-diagonal ``s`` inside the table and the band (k = 2 m + s % 2)."""
+    """Return the first and last m of anti-diagonal ``s`` inside the table and the band (k = 2 m + s % 2)."""
     odd = s % 2
     lowest = max(-radius, -s, s - 2 * (n - 1))
     highest = min(radius, s, 2 * (n - 1) - s)
@@ -46,7 +46,7 @@ def _advance(
 
 @part()
 def _direction(costs: Array, s: int, m: int, centre: int) -> int:
-    """Which step leads into cell ``m`` of anti-diagonal ``s``, before that anti-diagonal is computed."""
+    """Return the step that leads into cell ``m`` of anti-diagonal ``s``, before that anti-diagonal is computed."""
     odd = s % 2
     from_compared = costs[1 - odd, m + centre - 1 + odd]
     from_reference = costs[1 - odd, m + centre + odd]
@@ -75,8 +75,9 @@ def _advance_block(
 ) -> None:
     """Compute ``block`` anti-diagonals for k from ``low`` to ``high``, in strips that stay in the processor's cache.
 
-    A strip goes through all anti-diagonals of the block before the next one begins. It moves by one ``k`` to the left
-    with each, so that what a cell needs is computed already, in its strip or the one before, and not yet overwritten.
+    A strip passes through all anti-diagonals of the block before the next strip begins. It moves left by one ``k`` on
+    each of them, so the values that a cell needs are already computed, in its strip or the previous one, and not yet
+    overwritten.
     """
     n, centre = x.size, costs.shape[1] // 2
     end = min(start + block, 2 * n - 1)
@@ -93,7 +94,7 @@ def _advance_block(
 
 @part()
 def _cost_of(x: Array, backwards: Array, radius: int, costs: Array, block: int) -> float:
-    """Cost of the cheapest path in a band."""
+    """Compute the cost of the cheapest path in a band."""
     _begin(x, backwards, costs)
     for start in range(1, 2 * x.size - 1, block):
         _advance_block(costs, x, backwards, start, block, radius, -radius, radius)
@@ -104,10 +105,10 @@ def _cost_of(x: Array, backwards: Array, radius: int, costs: Array, block: int) 
 def _store(
     x: Array, backwards: Array, radius: int, most: float, costs: Array, stores: Array, block: int
 ) -> None:
-    """Costs just before anti-diagonals 1, 1 + block, 1 + 2 block, ..., near the cells in use.
+    """Store the costs just before anti-diagonals 1, 1 + block, 1 + 2 block, ..., near the cells in use.
 
-    A cell that costs more than ``most``, the cost of some path, is on no cheapest path: the ends of the band where all
-    cells do are left out, and infinite.
+    A cell that costs more than ``most``, the cost of a known path, is not on the cheapest path. Ends of the band that
+    contain only such cells are skipped and set to infinity.
     """
     centre = costs.shape[1] // 2
     _begin(x, backwards, costs)
@@ -142,9 +143,9 @@ def path_back(
     directions: IntegerMatrix,
     path: IntegerMatrix,
 ) -> int:
-    """Fill in the pairs of samples on the path, the last one last; give the column of the first.
+    """Fill in the pairs of samples on the path in ascending order; return the column of the first.
 
-    A band of radius ``narrow`` gives some path first, where that is not negative; what costs more is left out.
+    If ``narrow`` is not negative, a band of this radius gives a first path, and cells that cost more are skipped.
     ``directions`` has a row for each anti-diagonal between two of ``stores``, with the cells near the path.
     """
     n, centre, block, half = (

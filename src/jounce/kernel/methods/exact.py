@@ -1,13 +1,13 @@
-"""Exact propagation of piecewise linear models: no step-size error, whatever the step.
+"""Exact propagation of piecewise linear models, without discretisation error for any step size.
 
-Between samples the state moves by matrices of the modes it is in (``propagators``). Edges of the input inside a step
-add what their jumps of signals do until its end. Blocks of such steps are computed with the modes held, then the
-switching functions are looked at in all of them; a step in which one may leave its side is done once more, in parts,
-and where it does, the steps behind it are dropped.
+Between samples the state advances by the matrices of its modes (``propagators``). Edges of the input inside a step add
+the effect of their signal jumps. Blocks of steps are computed with fixed modes, then the switching functions of all
+steps are evaluated. A step in which one may leave its side is repeated in parts; if it does, the later steps are
+discarded.
 
 Steps of any length (``step_to``) are Taylor series between the edges of the input and the events. Modes are held on
-each part of a step. Where a switching function leaves its side, the part ends at the located crossing, the mode flips,
-and the matrices of the new modes carry on. So also where an edge of the input throws a switch over: that takes no time.
+each part of a step. If a switching function leaves its side, the part ends at the located crossing, the mode flips,
+and the matrices of the new modes apply. A flip caused by an edge of the input is treated likewise, in zero time.
 """
 
 from __future__ import annotations
@@ -38,14 +38,15 @@ WATCHED = 0.5  # radians of the fastest motion between looks at the switches; th
 
 
 class Blocks(NamedTuple):
-    """Division of a run into steps, and space for a block of them.
+    """Division of a run into steps, and arrays for a block of them.
 
-    Every distance of samples of ``parts`` times the propagators' step is cut into so many steps; samples with another
-    distance to the next are in ``odd``, and the last one. ``slack`` (s) is how far times are rounded. ``wave`` is the
-    number of each piece's angular frequency, ``reached`` the piece of each track at the end of a block. At the nodes
-    of a block: ``clock`` (s), ``rows`` (states), ``signals`` of the tracks, and, an element a row, ``x``, ``u`` and the
-    switching functions ``g``; ``jumps`` (for each signal) are what edges make of it inside the step to a node, and
-    ``most`` the largest in the block; ``thrown`` and ``most_thrown`` those on the node itself.
+    Sample intervals of ``parts`` times the step of the propagators are divided into ``parts`` steps; ``odd`` lists
+    the samples with a different interval to the next one, and the last sample. ``slack`` (s) is the rounding of
+    times. ``wave`` is the number of each piece's angular frequency, ``reached`` the piece of each track at the end of
+    a block. At the nodes of a block: ``clock`` (s), ``rows`` (states), ``signals`` of the tracks, and, one row per
+    element, ``x``, ``u`` and the switching functions ``g``; ``jumps`` are the jumps of each signal at edges inside
+    the step to a node, and ``most`` the largest in the block; ``thrown`` and ``most_thrown`` are the jumps on the
+    node itself.
     """
 
     parts: int
@@ -75,10 +76,10 @@ class Plan(NamedTuple):
 def plan(
     problem: Problem, control: Control, calls: Calls, slopes: int, times: Array
 ) -> Plan | None:
-    """Plan an exact run with samples at ``times``; None where a piece is circular, or where it takes too many steps.
+    """Plan an exact run with samples at ``times``; return None if a piece is circular or the run takes too many steps.
 
-    The problem's modes are those at the start; ``slopes`` is how many quantities the native function of slopes
-    differentiates.
+    The problem's modes are those at the start; ``slopes`` is the number of quantities that the native function of
+    slopes differentiates.
     """
     tracks, switches = problem.tracks, len(problem.m)
     frequency, wave = np.zeros(1), np.zeros(len(tracks.kind), dtype=np.int64)
@@ -124,7 +125,7 @@ def plan(
 
 
 def signals_of(tracks: Tracks, inputs: int) -> int:
-    """Number of signals that each track needs: its inputs, and derivatives up to the last that does not vanish."""
+    """Return the number of signals of each track: its inputs, and derivatives up to the last nonzero one."""
     bent = cubic = False
     if tracks.kind.any() or tracks.coefficients[:, 2:].any():
         bent = bool((tracks.kind == 1).any() or tracks.coefficients[:, 2].any())
@@ -133,9 +134,9 @@ def signals_of(tracks: Tracks, inputs: int) -> int:
 
 
 def spacing(times: Array) -> tuple[float, Integers]:
-    """Typical distance of samples (s), and the samples after which the distance changes, including the last one.
+    """Return the typical sample interval (s), and the samples after which the interval changes, including the last one.
 
-    What many runs share, such as times that nobody can change, is looked at once.
+    Read-only times that many runs share are evaluated only once.
     """
     return (_looked_at if times.flags.writeable else _spacing)(times)
 
@@ -152,12 +153,12 @@ _spacing = once_per_object(_looked_at)
 
 
 def _slack(times: Array) -> float:
-    """How far times are rounded, s."""
+    """Return the rounding of times, s."""
     return 1e-12 * max(1.0, abs(float(times[-1])))
 
 
 def typical_step(times: Array, distances: Array) -> float:
-    """The most frequent distance between samples (s)."""
+    """Return the most frequent sample interval (s)."""
     whole = distances[:-1] if len(distances) > 1 else distances  # the last one may be shorter
     if np.max(np.abs(whole - whole[0])) <= 1e-12 * max(1.0, abs(times[-1])):
         return float((times[len(whole)] - times[0]) / len(whole))
@@ -165,14 +166,14 @@ def typical_step(times: Array, distances: Array) -> float:
 
 
 def parts_for(z: float, watched: bool) -> int:
-    """Steps between two samples, over which the fastest motion goes through ``z`` radians."""
+    """Return the number of steps between two samples; the fastest motion covers ``z`` radians in that interval."""
     if watched:  # short enough that the switches between two looks are nearly parabolas
         return max(1, math.ceil(min(z / WATCHED, 1e9)))
     return max(1, math.ceil(z)) if z <= _MAX_PARTS else 1
 
 
 def rate_bound_of(problem: Problem, props: Propagators) -> float:
-    """Bound of the rates with the modes at the start, with all ones and with none."""
+    """Return a bound of the rates for the initial modes, for all modes on, and for all modes off."""
     # Modes to come are not known; all contacts closed and all open are the extremes of stiffness, near enough for a
     # step.
     start, bounds = problem.m.copy(), []
@@ -187,11 +188,12 @@ def rate_bound_of(problem: Problem, props: Propagators) -> float:
 class Run(NamedTuple):
     """A run and its current state.
 
-    ``band`` is how far a switch may be on the wrong side between events; right after one, and at edges, it is the wider
-    ``dead_band``, since times are rounded. ``x`` holds the state, ``trial`` one on the way; ``time`` and ``u`` an
-    instant and the inputs there; ``part`` is (start, length) in s of the part of a step in work, with ``orders`` terms
-    in its series. ``counts`` gets steps, rejected steps (none) and events; ``marks`` are: samples placed, those of them
-    with outputs, events without time passing, parts of steps, and samples with an odd distance to the next passed.
+    ``band`` is the distance by which a switch may be on the wrong side between events; right after an event, and at
+    edges, the wider ``dead_band`` applies, because times are rounded. ``x`` is the state, ``trial`` an intermediate
+    one; ``time`` and ``u`` are an instant and the inputs there; ``part`` is (start, length) in s of the current part
+    of a step, with ``orders`` terms in its series. ``counts`` receives steps, rejected steps (none) and events;
+    ``marks`` counts samples placed, samples with outputs, events at one instant, parts of steps, and samples with
+    irregular intervals.
     """
 
     problem: Problem
@@ -210,7 +212,7 @@ class Run(NamedTuple):
 
 
 class Work(NamedTuple):
-    """A run and its blocks, for the loops."""
+    """Run and its blocks, the argument of the loops."""
 
     run: Run
     blocks: Blocks
@@ -219,9 +221,9 @@ class Work(NamedTuple):
 def propagate(
     problem: Problem, control: Control, plan: Plan, out: Samples, counts: Integers
 ) -> int:
-    """Fill the arrays at every sample; give a status code.
+    """Fill the arrays at every sample; return a status code.
 
-    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps (none) and events.
+    A sample at an input edge has the values just after it. ``counts`` gets steps, rejected steps (none) and events.
     """
     return _propagate(Work(run_of(problem, control, plan.props, out, counts), plan.blocks))
 

@@ -1,7 +1,7 @@
 """Adaptive explicit integration: Dormand-Prince 8(5,3), or 5(4) where edges of the input keep steps short.
 
-The state may carry sensitivities behind it: ``S = dx/dp`` of the variational equation, for each state one number a
-parameter. They do not steer the step size; at an event they jump by the saltation rule.
+The state may be followed by its sensitivities ``S = dx/dp`` from the variational equation, one number per state and
+parameter. They do not affect the step size; at an event they jump by the saltation rule.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _integrate = Loop("explicit")
 
 
 def shorten(engine: Engine, step: int, dense: int, error: int) -> Engine:
-    """The same with the pair of lower order: 6 stages in place of 15, for steps that edges keep short."""
+    """Return the method with the pair of lower order: 6 stages instead of 15, for steps that edges keep short."""
     return engine._replace(
         step=step, dense=dense, error=error, first=SHORT_FIRST, after=FIRST_PROBE, shrink=-0.2
     )
@@ -49,10 +49,11 @@ def integrate(
     feedback: Feedback = NO_FEEDBACK,
     systems: int = 1,
 ) -> int:
-    """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
+    """Integrate from the first to the last sample; fill the arrays at every sample; return a status code.
 
-    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. ``feedback``
-    is a controller around the model; of several ``systems`` side by side each is held on its own constraints.
+    A sample at an input edge has the values just after it. ``counts`` gets steps, rejected steps and events.
+    ``feedback`` is a controller around the model; each of several ``systems`` side by side is projected onto its own
+    constraints.
     """
     problem = problem._replace(
         x0=np.ascontiguousarray(problem.x0)

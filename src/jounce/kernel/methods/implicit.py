@@ -1,7 +1,7 @@
 """Adaptive implicit integration (Rosenbrock method Rodas5P) for stiff models: bushings, sharp friction.
 
-Each step solves eight linear systems with one matrix, made of the exact slopes of the rates at its start; nothing is
-iterated. Fast modes that decay or that nothing excites do not limit the step.
+Each step solves eight linear systems with one matrix, built from the exact slopes of the rates at its start, without
+iteration. Fast modes that decay or are not excited do not limit the step.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ _integrate = Loop("implicit")
 class Slopes(NamedTuple):
     """Addresses of native functions for the linear systems of a step.
 
-    ``look`` gives slopes at a state and last the rates, ``size`` numbers; ``along_input`` the slopes of the rates along
-    the inputs, column after column; ``factor`` makes ``room`` numbers of slopes and shift, the first of which is the
-    soundness of the factors; ``stages`` and ``interpolant`` use them (see ``rosenbrock``).
+    ``look`` returns the slopes at a state followed by the rates, ``size`` numbers; ``along_input`` the slopes of the
+    rates along the inputs, column by column; ``factor`` computes ``room`` numbers from slopes and shift, the first of
+    which is the quality of the factors; ``stages`` and ``interpolant`` use them (see ``rosenbrock``).
     """
 
     look: int
@@ -39,7 +39,7 @@ class Slopes(NamedTuple):
 class Rosenbrock(NamedTuple):
     """Constants of the method for ``adaptive.walk``, and scratch arrays of a step.
 
-    These are: stages and drift of the rates, slopes, the linear system, rates of the inputs.
+    The arrays are: stages and time derivative of the rates, slopes, the linear system, rates of the inputs.
     """
 
     slopes_at: Slopes
@@ -56,10 +56,10 @@ class Rosenbrock(NamedTuple):
 def integrate(
     problem: Problem, slopes: Slopes, control: Control, out: Samples, counts: Integers
 ) -> int:
-    """Integrate from the first to the last sample; fill the arrays at every sample; give a status code.
+    """Integrate from the first to the last sample; fill the arrays at every sample; return a status code.
 
-    At an input edge the samples are those just after it. ``counts`` gets steps, rejected steps and events. The state
-    carries no sensitivities.
+    A sample at an input edge has the values just after it. ``counts`` gets steps, rejected steps and events. The state
+    has no sensitivities.
     """
     n = len(problem.x0)
     method = Rosenbrock(

@@ -1,11 +1,11 @@
-"""Many variants of a piecewise linear model over one course, side by side: metrics of their outputs, no samples kept.
+"""Many variants of a piecewise linear model over one course, side by side: metrics of their outputs, without samples.
 
-All variants feel the same signals at the same times. While contacts keep, a step is the same handful of products for
-every variant, and variants lie side by side in vector registers. What a step needs of a variant (``propagators``) is
-made one after another, a block of variants is then taken through the whole run. After each step the switching
-functions are judged; a variant of which one may have left its side takes this step once more by itself, through all
-its events (``methods.exact``), and comes back to the others with what a step needs in its new modes. Motions that are
-too fast for the common step leave a variant ``alone``: it has to run by itself.
+All variants have the same input signals at the same times. While no contact changes, a step consists of the same few
+products for every variant, and the variants are side by side in vector registers. The step data of the variants
+(``propagators``) are computed one by one, then a block of variants is propagated through the whole run. After each
+step the switching functions are checked. A variant in which one may have left its side repeats the step separately,
+through all its events (``methods.exact``), and returns to the block with the step data of its new modes. A variant
+with motions too fast for the common step is marked ``alone`` and must run separately.
 """
 
 from __future__ import annotations
@@ -51,11 +51,11 @@ LOOKS = ("look", "glance")
 class Sizes:
     """Properties that the code of a step depends on.
 
-    Numbers of states, of tracks, of signals that do not vanish, of inputs; which states and, behind them, inputs each
-    output depends on that is looked at (``rows``); numbers of switching functions, and of signals that jump at edges
-    inside steps; which of the latter do so in one step, each combination; how many terms of a series a jump takes;
-    whether there are steps without a sample at their end; and how many numbers of the model the switching functions and
-    their rates need.
+    They are: the numbers of states, tracks, nonzero signals and inputs; the states, then inputs, on which each
+    evaluated output depends (``rows``); the numbers of switching functions and of signals that jump at edges inside
+    steps; the combinations of such signals that occur in one step; the number of series terms of a jump; whether some
+    steps have no sample at their end; and the number of model parameters that the switching functions and their rates
+    need.
     """
 
     states: int
@@ -77,12 +77,12 @@ class Sizes:
 
     @property
     def memory(self) -> int:
-        """Rows of what a step changes; last how near a switching function came to its other side in it."""
+        """Return the number of rows that a step changes; the last is the least distance of a switch to zero."""
         return self.states + SUMS * self.outputs + NEARS * self.switches + 1
 
     @property
     def places(self) -> tuple[int, int, int, int, int, int, int]:
-        """Where drift, forcing, series, outputs, numbers and modes begin in the rows of a variant; and the end."""
+        """Return the offsets of drift, forcing, series, outputs, parameters and modes in a variant, and the end."""
         drift = self.states**2
         forcing = drift + self.states
         series = forcing + self.states * self.signals
@@ -101,12 +101,12 @@ class Sizes:
 
     @property
     def modes(self) -> int:
-        """Combinations of modes of each variant whose matrices are kept."""
+        """Number of mode combinations per variant whose matrices are stored."""
         return int(min(2 ** min(self.switches, 60), _MODES))
 
     @property
     def steps(self) -> tuple[tuple[bool, tuple[int, ...] | None], ...]:
-        """Each kind of step: whether there is a sample at its end, and which signals jump inside (None: no edge)."""
+        """Return the kinds of step: whether a sample is at the end, and which signals jump inside (None: no edge)."""
         kinds = (None, *self.together)
         return tuple(
             (sampled, jumping) for sampled in (True, False)[: 1 + self.parted] for jumping in kinds
@@ -120,10 +120,10 @@ class Sizes:
 
 @dataclass(frozen=True)
 class Steps:
-    """What the module of native code holds: ``f(kept, variant, course, length, kept)``, of steps for many variants.
+    """Functions of the native module: ``f(kept, variant, course, length, kept)``, steps of many variants.
 
-    ``watch`` gives the model's switching functions, then their rates, of (states, inputs, rates of the last input of
-    each track, extended parameters, modes); of the parameters it needs ``numbers``.
+    ``watch`` returns the switching functions of the model, then their rates, from (states, inputs, rates of the last
+    input of each track, extended parameters, modes); ``numbers`` are the parameters that it needs.
     """
 
     sizes: Sizes
@@ -199,7 +199,7 @@ class Steps:
                 p[number] = variant[numbers + i]
 
             def watch(at: ca.SX) -> tuple[ca.SX, ca.SX]:
-                """How far each switching function is from its other side, and how fast it goes away from there."""
+                """Emit the distance of each switching function from zero, and the rate at which it moves away."""
                 values = self.watch(moved, at[:inputs], at[inputs:], p, m)
                 return sign * values[: sizes.switches], sign * values[sizes.switches :]
 
@@ -228,11 +228,11 @@ class Steps:
 class Course(NamedTuple):
     """Excitation of all variants at each step: signals at its start, then inputs just after and just before its end.
 
-    Of the signals only those are there that do not vanish (``felt``). The inputs are followed by the rate of the last
-    one of each track. ``edges`` numbers the steps with edges inside (-1: none, ``ALONE``: between sines), whose rows in
-    ``over_edges`` go on with how far these throw each input, and what their jumps weigh; ``kinds`` says which of
-    ``Sizes.steps`` each of them is. ``clock`` (s) are the ends of steps, from the start of the first one on. The rows
-    of ``ends`` are for the inputs that the variants rest under (``still``), and for those just after the start.
+    Only nonzero signals are included (``felt``). The inputs are followed by the rate of the last input of each track.
+    ``edges`` numbers the steps with edges inside (-1: none, ``ALONE``: between sines); their rows in ``over_edges``
+    continue with the change of each input at the edges and the weights of the jumps; ``kinds`` is the index of each
+    step in ``Sizes.steps``. ``clock`` (s) are the ends of the steps, beginning with the start of the first. The rows
+    of ``ends`` are for the inputs at rest (``still``) and for those just after the start.
     """
 
     clock: Vector
@@ -256,13 +256,13 @@ class Addresses(NamedTuple):
 
 
 class Room(NamedTuple):
-    """Arrays that a block of variants works in.
+    """Scratch arrays of a block of variants.
 
-    ``kept`` and ``next`` take turns; their columns, and those of ``variant``, are variants. With one row (or one after
-    another) a variant: parameters (``values``), ``modes``, ``rest``; propagators (``matrix`` to ``used``, as
-    ``Propagators`` has them), and for each of them, ``columns``, what ``variant`` gets in its modes; ``laid`` says
-    which of these there are. ``lost`` marks variants that go alone. ``one`` is a column of ``kept`` before and after;
-    ``piece`` are the pieces of the tracks at the last step that a variant took by itself.
+    ``kept`` and ``next`` alternate; their columns, and those of ``variant``, are variants. The following have one row
+    (or one section) per variant: parameters (``values``), ``modes``, ``rest``; propagators (``matrix`` to ``used``,
+    as in ``Propagators``), and ``columns``, the values of ``variant`` in the modes of each propagator; ``laid`` marks
+    which of them are computed. ``lost`` marks variants that run alone. ``one`` is a column of ``kept`` before and
+    after a step; ``piece`` are the pieces of the tracks at the last separate step of a variant.
     """
 
     kept: Matrix
@@ -293,11 +293,11 @@ class Room(NamedTuple):
 class Work(NamedTuple):
     """Variants from ``first`` to ``stop`` (``span``), one row of ``parameters`` each, and their results.
 
-    ``run`` is that of a variant which takes a step by itself; ``chosen`` are the outputs looked at, ``modes`` those at
-    rest. ``length`` of a step (s) is an array of one number. ``sums`` has ``SUMS`` numbers of each output, about its
-    value at ``rest``; ``events`` counts what happened to a variant; ``alone`` is 1 where it has to run by itself.
-    ``depends`` lists the states and inputs that the outputs depend on (``Sizes.rows``), one output after another, each
-    of which begins at a number of ``begins``.
+    ``run`` is used for the separate steps of a variant; ``chosen`` are the evaluated outputs, ``modes`` those at
+    rest. ``length`` of a step (s) is an array of one number. ``sums`` has ``SUMS`` numbers per output, relative to
+    its value at ``rest``; ``events`` counts the events of a variant; ``alone`` is 1 if it must run separately.
+    ``depends`` lists the states and inputs on which the outputs depend (``Sizes.rows``), output by output; ``begins``
+    are the first indices.
     """
 
     run: Run
@@ -324,9 +324,9 @@ class Work(NamedTuple):
 
 
 def dependence(identity: str, output: Callable[[], ca.Function]) -> tuple[tuple[int, ...], ...]:
-    """States and, behind them, inputs that each output of a model may depend on, whatever its numbers and modes.
+    """Return the states, then inputs, on which each output of a model may depend, for any parameters and modes.
 
-    ``identity`` says everything that they follow from, a function of (states, inputs, extended parameters, modes).
+    ``identity`` identifies the function of (states, inputs, extended parameters, modes) from which they follow.
     """
 
     def source() -> Source:
@@ -359,11 +359,11 @@ def course(
     terms: int,
     frequency: Array,
 ) -> tuple[Course, tuple[tuple[int, ...], ...]]:
-    """Tabulate tracks of polynomials and sines over steps between ``times`` (s), all of one length.
+    """Tabulate tracks of polynomials and sines over steps of equal length between ``times`` (s).
 
     ``frequency`` are the angular frequencies of the sines (rad/s) after a zero: each step has the signals of all of
-    them, which vanish where a track is on another piece. Where a sine begins or ends inside a step, all variants take
-    it alone. Gives also which of the ``jumping`` signals do so in one step, for each combination that occurs.
+    them, which are zero while a track is on a different piece. If a sine begins or ends inside a step, all variants
+    take the step separately. The second result lists the combinations of ``jumping`` signals that jump in one step.
     """
     count = len(tracks.rate)
     order = inputs // max(count, 1)
@@ -445,7 +445,7 @@ def course(
 
 
 def frequencies(tracks: Tracks) -> Array:
-    """Angular frequencies of all sines (rad/s), ascending, after a zero."""
+    """Return the angular frequencies of all sines (rad/s), ascending, after a zero."""
     of_tracks = [
         _frequency(tracks, k, np.arange(*tracks.first[k : k + 2])) for k in range(len(tracks.rate))
     ]
@@ -459,7 +459,7 @@ def _frequency(tracks: Tracks, track: int, piece: Integers) -> Array:
 
 
 def jumps(tracks: Tracks, signals: int) -> tuple[int, ...]:
-    """Which signals of tracks jump at an edge between polynomials, but for rounding."""
+    """Return which signals of tracks jump at an edge between polynomials by more than rounding."""
     jumping = set()
     for track in range(len(tracks.rate)):
         first, last = tracks.first[track], tracks.first[track + 1] - 1
@@ -476,7 +476,7 @@ def jumps(tracks: Tracks, signals: int) -> tuple[int, ...]:
 
 
 def _signals(tracks: Tracks, track: int, piece: Integers, times: Array, signals: int) -> Array:
-    """Value and derivatives of some pieces at some times."""
+    """Evaluate values and derivatives of some pieces at some times."""
     rate, c = tracks.rate[track], tracks.coefficients[piece].T
     s = rate * (times - tracks.start[piece])
     values = np.array(
@@ -501,7 +501,7 @@ def _signals(tracks: Tracks, track: int, piece: Integers, times: Array, signals:
 
 
 class Code(NamedTuple):
-    """Addresses of the functions of a step, what they are made for, and which numbers the switching functions need."""
+    """Addresses of the functions of a step, their sizes, and parameters of the switching functions."""
 
     address: tuple[int, ...]
     sizes: Sizes
@@ -511,9 +511,9 @@ class Code(NamedTuple):
 def code(
     identity: str, sizes: Sizes, functions: Callable[[], tuple[ca.Function, ca.Function]]
 ) -> Code:
-    """Native code of steps for a model; ``identity`` says everything that its ``functions`` depend on.
+    """Return native code of steps for a model; ``identity`` covers everything that its ``functions`` depend on.
 
-    These are the switching functions and the rates, of (states, inputs, extended parameters, modes).
+    The functions are the switching functions and the rates, of (states, inputs, extended parameters, modes).
     """
 
     def make() -> Code:
@@ -550,9 +550,9 @@ def _source(sizes: Sizes, switch: ca.Function, rate: ca.Function) -> Source:
 
 
 def room(sizes: Sizes, run: Run, values: int, outputs: int) -> Room:
-    """Arrays for blocks of variants, with so many extended parameters and outputs of the model.
+    """Allocate the arrays for blocks of variants, given the numbers of extended parameters and outputs of the model.
 
-    The propagators of ``run`` say how large those of a variant are.
+    The propagators of ``run`` determine the sizes of those of a variant.
     """
     n, wide, all_modes = sizes.states, sizes.lanes, sizes.lanes * sizes.modes
     _, rows, width = run.props.matrix.shape
@@ -584,5 +584,5 @@ def room(sizes: Sizes, run: Run, values: int, outputs: int) -> Room:
 
 
 def follow(work: Work) -> None:
-    """Take the variants of a span through the run; the loop holds no lock of the interpreter meanwhile."""
+    """Propagate the variants of a span through the run; the loop does not hold the interpreter lock."""
     _follow(work)

@@ -1,9 +1,9 @@
-"""Step matrices of a piecewise linear model: one set for each combination of modes, made when it first occurs.
+"""Step matrices of a piecewise linear model: one set per combination of modes, computed when it first occurs.
 
-With modes held the model is ``x' = A x + r + B u``; ``u`` are value, rate (and acceleration) of every track. On one
-piece a track is known by its *signals*, its value and first derivatives. They obey a small linear equation of their
-own, ``u^(J) = 0`` on polynomials and ``u''' = -w^2 u'`` on sines. So all that a step needs are Taylor series in time,
-summed over a length at which they converge at once, and doubled until they reach the step.
+In fixed modes the model is ``x' = A x + r + B u``; ``u`` are value, rate (and acceleration) of every track. On one
+piece a track is described by its *signals*, its value and first derivatives. They satisfy a small linear equation,
+``u^(J) = 0`` for polynomials and ``u''' = -w^2 u'`` for sines. A step is therefore computed from Taylor series in time,
+summed over a length at which they converge quickly, and doubled until they reach the step.
 """
 
 from __future__ import annotations
@@ -34,13 +34,13 @@ class Calls(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """Sizes, and where things begin in the rows of a propagator.
+    """Sizes and row offsets of a propagator.
 
     ``signals`` are those of one track; ``waves`` counts the angular frequencies of sines, number 0 being polynomials.
-    The first rows hold the images of ``e^(A h) - 1``; the row ``drift`` what the constant adds over a step; from
-    ``forcing`` on, for each wave, track and signal, what that adds; from ``slope`` on the images of ``A``; then ``r``;
-    from ``input_slope`` on the images of ``B``; from ``series`` on, for each track and signal, the series of what it
-    does since it began.
+    The first rows contain the images of ``e^(A h) - 1``; the row ``drift`` the effect of the constant over a step;
+    the rows from ``forcing`` on the effect of each wave, track and signal; from ``slope`` on the images of ``A``,
+    then ``r``; from ``input_slope`` on the images of ``B``; from ``series`` on the series of the effect of each track
+    and signal.
     """
 
     states: int
@@ -80,12 +80,12 @@ class Scratch(NamedTuple):
 
 
 class Propagators(NamedTuple):
-    """All propagators made so far, for steps of ``step`` s, and the modes each belongs to.
+    """All propagators computed so far, for steps of ``step`` s, and the modes of each.
 
-    For each of them ``fastest`` is a bound of its rates and those of the waves (rad/s or 1/s), ``terms`` how many terms
-    of a series a jump inside a step takes (0: it has none), ``kick`` how far, at most, a jump of a signal inside a step
-    throws a switching function off its chord, and ``throw`` how far one at its end. ``used`` is how many there were,
-    and which one is in use.
+    For each of them, ``fastest`` is a bound of its rates and those of the waves (rad/s or 1/s); ``terms`` the number
+    of series terms for a jump inside a step (0: no series); ``kick`` the largest deviation of a switching function
+    from its chord due to a jump inside a step, and ``throw`` that due to a jump at its end. ``used`` contains the
+    number of propagators and the index of the current one.
     """
 
     calls: Calls
@@ -114,9 +114,9 @@ def propagators(
 ) -> Propagators:
     """Allocate propagators; the length of their step is set later.
 
-    ``sizes`` are numbers of states, of tracks, and for each track of inputs and of signals; ``slopes`` is how many
-    quantities the native function of slopes differentiates; ``frequency`` holds the angular frequencies of the sines
-    (rad/s) after a zero, ``scale`` typical sizes of the states.
+    ``sizes`` are the numbers of states, of tracks, and of inputs and signals per track; ``slopes`` is the number of
+    quantities that the native function of slopes differentiates; ``frequency`` contains the angular frequencies of
+    the sines (rad/s) after a zero, ``scale`` typical sizes of the states.
     """
     width, count = padded_length(sizes[0]), min(2 ** min(switches, 60), _MOST)
     layout = _layout(*sizes, waves=len(frequency), width=width)
@@ -139,7 +139,7 @@ def propagators(
 
 
 def terms_of(z: float) -> int:
-    """Terms of a series needed for a jump inside a step in which the fastest motion turns by ``z`` radians."""
+    """Return the number of series terms for a jump inside a step in which the fastest motion turns by ``z`` radians."""
     term, count = 1.0, 0
     while term > 1e-16 and count < TERMS - 1:
         count += 1

@@ -1,13 +1,13 @@
-"""Implicit steps: coefficients of Rodas5P and native functions of its stages, with no loop between.
+"""Implicit steps: coefficients of Rodas5P and native functions of its stages, without loops.
 
 Rosenbrock method of order 5 with an embedded one of order 4 and a dense output of order 4. L-stable and stiffly
-accurate, and made to keep its order on stiff problems with moving equilibria. Coefficients of the form without matrix
-products, for ``W = I / (GAMMA h) - J``:
+accurate, and designed to retain its order on stiff problems with moving equilibria. Coefficients of the form without
+matrix products, for ``W = I / (GAMMA h) - J``:
 
 ``W k_i = f(t + C_i h, x + sum_j A_ij k_j) + sum_j B_ij k_j / h + D_i h df/dt``.
 
-The last three stages add up: stage 6 is placed at ``x + sum_j A_6j k_j``, each of the next two where the one before
-ended, and the step ends where the last one does; that last ``k`` is the error estimate.
+The last three stages accumulate: stage 6 starts at ``x + sum_j A_6j k_j``, each of the next two at the end of the
+previous one, and the end of the last one is the end of the step; its ``k`` is the error estimate.
 
 G. Steinebach: Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks within the Julia Differential
 Equations package. BIT Numerical Mathematics 63:27, 2023 [steinebach2023].
@@ -78,7 +78,7 @@ STAGE_RATE = RATES + 1
 
 @dataclass(frozen=True)
 class RosenbrockStep:
-    """A step of ``size`` states; the module has the function ``solve`` already."""
+    """Step of ``size`` states; the module must already have the function ``solve``."""
 
     size: int
 

@@ -1,7 +1,7 @@
 """Loops over states with vector instructions: states lie side by side in rows, padded to whole vectors.
 
-A matrix is stored by what it makes of each unit vector, one row each, so that a product is a weighted sum of rows. The
-loops are native code for one length of rows, made by ``row_loops`` and called by address.
+A matrix is stored by its columns, one per row of the array, so a product is a weighted sum of rows. The
+loops are native code for one row length, created by ``row_loops`` and called by address.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ class RowLoops(NamedTuple):
 
 
 def padded_length(count: int) -> int:
-    """Length of a row for so many states."""
+    """Return the row length for a number of states."""
     return 4 if count <= 4 else -(-count // _WIDEST) * _WIDEST
 
 
 def row_loops(width: int, count: int) -> RowLoops:
-    """Native loops for rows of ``width`` numbers, of which ``count`` are states."""
+    """Return the native loops for rows of ``width`` numbers, of which ``count`` are states."""
 
     def make() -> Native:
         return code_from_cache(f"rows {width} {count}", lambda: Source({}, _Loops(width, count)))[0]
@@ -52,7 +52,7 @@ _loops: Recent[Native] = Recent()
 
 @dataclass(frozen=True)
 class _Loops:
-    """What the module of native code holds."""
+    """Functions of the native module."""
 
     width: int
     count: int
@@ -70,7 +70,7 @@ class _Loops:
 
 
 class _Rows:
-    """A matrix in a loop that is being built, read and written by vectors."""
+    """Matrix in a loop under construction, read and written as vectors."""
 
     def __init__(self, builder: Any, data: Any, width: int) -> None:
         self._builder, self._data, self._width = builder, data, width
@@ -83,17 +83,17 @@ class _Rows:
         return b.bitcast(b.gep(self._data, [start]), self.vector.as_pointer())
 
     def load(self, row: Any) -> list[Any]:
-        """Give the vectors of a row."""
+        """Load the vectors of a row."""
         return [self._builder.load(self._at(row, place), align=8) for place in self.places]
 
     def store(self, values: list[Any], row: Any) -> None:
-        """Write the vectors of a row."""
+        """Store the vectors of a row."""
         for value, place in zip(values, self.places, strict=True):
             self._builder.store(value, self._at(row, place), align=8)
 
 
 def _variable(builder: Any, value: Any) -> Any:
-    """Make a place in the function's own memory that holds a value."""
+    """Allocate a variable on the stack of the function."""
     with builder.goto_entry_block():
         place = builder.alloca(value.type)
     builder.store(value, place)
@@ -102,7 +102,7 @@ def _variable(builder: Any, value: Any) -> Any:
 
 @contextmanager
 def _counting(builder: Any, start: Any, stop: Any, step: Any) -> Iterator[Any]:
-    """Loop over ``range(start, stop, step)``."""
+    """Emit a loop over ``range(start, stop, step)``."""
     before = builder.block
     head, body, leave = (builder.append_basic_block(name) for name in ("head", "body", "leave"))
     builder.branch(head)
@@ -118,13 +118,13 @@ def _counting(builder: Any, start: Any, stop: Any, step: Any) -> Iterator[Any]:
 
 
 def _lane(builder: Any, value: Any, lane: int) -> Any:
-    """Make a vector of equal numbers: one of those in ``value``."""
+    """Broadcast one element of ``value`` to a vector."""
     mask = ir.Constant(ir.VectorType(_LANE, value.type.count), [lane] * value.type.count)
     return builder.shuffle_vector(value, ir.Constant(value.type, ir.Undefined), mask)
 
 
 def _spread(builder: Any, value: Any, vector: ir.VectorType) -> Any:
-    """Make a vector of equal numbers."""
+    """Broadcast a number to a vector."""
     return _lane(
         builder, builder.insert_element(ir.Constant(vector, ir.Undefined), value, _LANE(0)), 0
     )
@@ -145,7 +145,7 @@ def _function(
 def _sum_of_rows(
     builder: Any, start: list[Any], matrix: _Rows, count: Any, weights: Any, stride: Any
 ) -> list[Any]:
-    """Add to a row the weighted ``count`` first rows; in two sums, so that none waits long for the term before."""
+    """Add the weighted first ``count`` rows to a row, in two sums to shorten the dependency chain."""
     zero = ir.Constant(matrix.vector, [0.0] * matrix.vector.count)
     totals = [_variable(builder, value) for value in start]
     others = [_variable(builder, zero) for _ in start]
@@ -242,7 +242,7 @@ def _march(module: ir.Module, width: int, states: int) -> None:
 
 
 def _apply(builder: Any, x: list[Any], images: list[list[Any]], start: list[Any]) -> list[Any]:
-    """``start + E x``; summed in four parts, so that no sum waits long for the term before."""
+    """``start + E x``; summed in four parts to shorten the dependency chain."""
     vector = x[0].type
     spread = [_lane(builder, x[j // vector.count], j % vector.count) for j in range(len(images))]
     sums = []

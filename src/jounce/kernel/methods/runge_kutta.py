@@ -1,10 +1,11 @@
 """Explicit steps: coefficients of the two pairs, their arithmetic, and native functions of whole steps.
 
 Dormand-Prince 8(5,3) with its seventh-order dense output, and Dormand-Prince 5(4) with its fourth-order one for steps
-that the input keeps far below the tolerance. Coefficients: Hairer, Norsett, Wanner, "Solving Ordinary Differential
-Equations I", 2nd ed. 1993, sections II.5, II.6 and II.10, and the authors' program DOP853 [hairer1993].
+that the input keeps much shorter than the tolerance requires. Coefficients: Hairer, Norsett, Wanner, "Solving
+Ordinary Differential Equations I", 2nd ed. 1993, sections II.5, II.6 and II.10, and the authors' program DOP853
+[hairer1993].
 
-The native functions run the stages' arithmetic and the model's rates with no calls between. All are
+The native functions contain the arithmetic of the stages and the rates of the model without calls in between. All are
 ``void f(rows, u, p, m, g, double h)``: ``rows`` is the work matrix (see ``engine``); ``u`` holds the inputs at each
 node of the step, one after another; ``g`` the switching functions at each probe, one after another, and last those of
 ``switch_at``.
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 
 
 def _spread(weights: dict[int, float]) -> Array:
-    """Weights of some stages among all."""
+    """Return the weights of some stages, with zeros for the others."""
     row = np.zeros(STAGES)
     row[list(weights)] = list(weights.values())
     return row
@@ -109,7 +110,7 @@ six up to the end of the step, so that both pairs share all arrays."""
 
 
 def _short(weights: Sequence[float]) -> Array:
-    """Weights of the seven stages, each in its row."""
+    """Return the weights of the seven stages, each in its row."""
     rows = (0, *range(SHORT_FIRST, LAST_STAGE + 1))
     return _spread(dict(zip(rows, weights, strict=False)))
 
@@ -152,7 +153,7 @@ SHORT_NODES = np.concatenate([SHORT_C, PROBES])
 
 @cache
 def _element_functions() -> dict[str, ca.Function]:
-    """Functions of one step for one state, whose rates at the 16 stages are ``k``.
+    """Return the functions of one step for one state, whose rates at the 16 stages are ``k``.
 
     - ``stage<i>(x, k, h, -)``: where stage ``i`` evaluates the rates; ``stage12`` is the end of the step;
     - ``short<i>``: the same for the pair of lower order, whose stages are the first and the last six;
@@ -183,9 +184,9 @@ def _element_functions() -> dict[str, ca.Function]:
 
 @cache
 def _error_function(*, short: bool = False) -> ca.Function:
-    """Squared fifth- and third-order errors of one state, relative to what is allowed.
+    """Return the squared fifth- and third-order errors of one state, relative to the tolerance.
 
-    Of the pair of lower order the fourth-order one, then zero. The inputs are the state's column of the work matrix
+    For the pair of lower order, the fourth-order error, then zero. The inputs are the state's column of the work matrix
     (see ``engine``), none, (step, tolerance) and the widest motion so far.
     """
     import casadi as ca
@@ -201,7 +202,7 @@ def _error_function(*, short: bool = False) -> ca.Function:
 
 
 def _sum(weights: Iterable[float], k: Any) -> ca.SX:
-    """Weighted sum of the stages' rates; zero weights cost nothing."""
+    """Return the weighted sum of the rates of the stages, without terms of zero weight."""
     import casadi as ca
 
     return sum(
@@ -219,7 +220,7 @@ SHORT_NAMES = {"step": "short_step", "dense": "short_dense", "error": "short_err
 class Step:
     """System of a step: the name of the rate function and the lengths of its arrays.
 
-    ``size`` states are integrated, of which the first ``controlled`` steer the step size and feed the switches.
+    ``size`` states are integrated, of which the first ``controlled`` determine the step size and the switches.
     """
 
     rate: str
@@ -234,12 +235,13 @@ class Step:
         return (*STEP_NAMES, *SHORT_NAMES.values())
 
     def add(self, lowering: Lowering) -> None:
-        """Append the functions of ``STEP_NAMES``; the module has the rate function and ``switch`` already.
+        """Append the functions of ``STEP_NAMES``; the module must already have the rate function and ``switch``.
 
-        - ``step``: one step of length ``h`` from the state, its rate known, to the end row and the rate there;
+        - ``step``: one step of length ``h`` from the state with known rate to the end row, and the rate there;
         - ``dense``: three more stages and the interpolant of that step;
         - ``point_at``: all states at the fraction ``h``, in the trial row;
-        - ``short_step``, ``short_dense`` and ``short_error``: the same by the pair of lower order, no more stages;
+        - ``short_step``, ``short_dense`` and ``short_error``: the same for the pair of lower order, without
+          additional stages;
         - ``probe``: switching functions at all probes; ``switch_at``: at the fraction ``h``, the input at node 0.
         """
         for name, function in _element_functions().items():
