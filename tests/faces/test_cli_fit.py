@@ -470,7 +470,7 @@ def test_torque_over_angle_on_the_command_line(
     mixed = cli("fit", "stiffness", twists[0], spring_files[0])
     assert (mixed.exit_code, "not fitted together" in mixed.err) == (2, True)
     rig = cli(*asked, "--rig", "kart-quarter-car", "--out", "rig.toml")
-    assert (rig.exit_code, "this one is in N/m" in rig.err) == (2, True)
+    assert (rig.exit_code, "this part needs N/m" in rig.err) == (2, True)
     mapped = cli("fit", "stiffness", twists[0], "--columns", "angle=angle [rad]")
     assert (mapped.exit_code, "a different unit" in mapped.err) == (2, True)
 

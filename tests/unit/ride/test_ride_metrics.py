@@ -279,7 +279,7 @@ def test_gravity_in_the_signal_is_noticed() -> None:
 def test_coarse_sampling_is_noticed() -> None:
     found = ride_metrics(recorded(body__az=WAVE).isel(time=slice(None, None, 10)))
     assert any(
-        "sampled at 100 Hz: what Wk passes above 50 Hz is missing" in f.message
+        "sampled at 100 Hz: the content that Wk passes above 50 Hz is missing" in f.message
         for f in found.findings
     )
     for rate, is_told in (
