@@ -103,7 +103,7 @@ def test_no_stored_record_is_graded_anew_by_it(record, tmp_path, monkeypatch, er
     store = Store(tmp_path / "lane.sqlite")
     number = lane.import_record(record, store, TESTER).number
     before = store.newest_grading(number)
-    monkeypatch.setattr(reevaluation, "_signals", raising(error))
+    monkeypatch.setattr(reevaluation, "stored_signals", raising(error))
     with pytest.raises(ResourceError):
         reevaluation.reevaluate(store, tester=TESTER, workers=1)
     assert store.newest_grading(number) == before

@@ -211,7 +211,7 @@ def test_what_weakens_the_index_is_said() -> None:
     assert "0.3 m or less" in iri(2.0 * X, Z).findings[0].message
     rough = iri(X, Z * 50.0 / iri(X, Z).iri_m_per_km)
     assert rough.findings[0].value == pytest.approx(50.0)
-    assert "smoother than any road" in iri(X, 1e-3 * Z).findings[0].message
+    assert "smoother than any built road" in iri(X, 1e-3 * Z).findings[0].message
     assert iri(X, 0.0 * Z).findings == ()
 
 

@@ -57,8 +57,9 @@ export class ChannelList {
         );
         const button = make(
           "button",
-          { type: "button", "aria-pressed": String(inside.length > 0), "aria-label": name },
+          { type: "button", "aria-pressed": String(inside.length > 0) },
           make("span", {}, name),
+          " ",
           make("small", {}, [unit || "–", ...inside.map((k) => `#${k}`)].join("  ")),
         );
         button.addEventListener("click", () => this.toggle(name));
