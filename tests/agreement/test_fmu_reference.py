@@ -102,7 +102,7 @@ def test_a_sweep_tells_what_its_fmus_found_once(tmp_path, monkeypatch) -> None:
         told = [
             str(finding) for finding in summarise(one).findings if "Feedthrough" in finding.place
         ]
-        assert [text for text in told if "3 of 3 variants: its force is held for 2 ms" in text]
+        assert [text for text in told if "3 of 3 variants: the force is held for 2 ms" in text]
         assert len(told) == 4  # inputs without a connection, two units, the work
         assert all("3 of 3 variants" in text for text in told)
 
@@ -122,7 +122,7 @@ def test_findings_are_counted_by_what_they_say() -> None:
         (texts[0].format("0.5"), 2),
         (texts[1], 1),
         (texts[2], 1),
-        ("note: a1.fmu: has no unit: m.", 1),
+        ("note: a1.fmu: has no unit: m is assumed.", 1),
     ]
     again = Tally()
     again.merge(

@@ -88,7 +88,7 @@ def test_lengths_for_camber_and_toe(cli) -> None:
         (("--set", "uper_arm_length=3 mm"), "Did you mean 'upper_arm_length'"),
         (("--set", "upper_arm_length=25 mm"), "0 mm to 20 mm"),
         (("--set", "upper_arm_length"), "not NAME=VALUE"),
-        (("--camber", "9 deg"), "do not reach this"),
+        (("--camber", "9 deg"), "does not reach this"),
         (("--camber", "9"), "9 rad is implausible"),
         (("--camber", "9 mm"), "wrong unit"),
         (

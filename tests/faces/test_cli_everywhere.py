@@ -383,14 +383,14 @@ def test_sizes_of_files_that_cannot_be_meant_are_questioned(
     outcome = cli("check", "high.toml", "soft.toml", "good.toml", "--json").json
     high, soft, good = (item["notes"] for item in outcome["files"])
     assert high == [
-        'warning: high.toml: height: 35 m: a number without a unit is in m; is "35 mm" meant?'
+        'warning: high.toml: height: 35 m: a number without a unit is in m; did you mean "35 mm"?'
     ]
     assert soft == [
-        'warning: soft.toml: strut.spring.rate: 22.73 N/m: a number without a unit is in N/m; is "22.73 N/mm" meant?'
+        'warning: soft.toml: strut.spring.rate: 22.73 N/m: a number without a unit is in N/m; did you mean "22.73 N/mm"?'
     ]
     assert good == []
     asked = cli("modes", "soft.toml").err
-    assert 'is "22.73 N/mm" meant?' in asked
+    assert 'did you mean "22.73 N/mm"?' in asked
 
 
 def test_speeds_that_cannot_be_meant_are_questioned() -> None:
@@ -399,7 +399,7 @@ def test_speeds_that_cannot_be_meant_are_questioned() -> None:
     road = jn.HalfSine(height="10 mm", length="60 mm")
     [found] = trial_findings(jn.Trial(road=road, speed=195.0, duration=1.0))
     assert (found.place, found.value) == ("trial: speed", 195.0)
-    assert found.message == '195 m/s: a number without a unit is in m/s; is "195 km/h" meant?'
+    assert found.message == '195 m/s: a number without a unit is in m/s; did you mean "195 km/h"?'
     assert trial_findings(jn.Trial(road=road, speed=19.5, duration=1.0)) == []
     lifted = jn.Trial(
         road=jn.Sine(amplitude=20.0, wavelength=1.0, length=5.0), speed=1.0, duration=1.0

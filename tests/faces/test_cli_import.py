@@ -118,7 +118,7 @@ def test_a_table_of_hardpoints_becomes_a_rig(cli, tmp_path: Path):
     (tmp_path / "points.csv").write_text(POINTS, encoding="utf-8")
     refused = cli("import", "hardpoints", "points.csv")
     assert refused.exit_code == 2
-    assert "also wheel_centre" in refused.err
+    assert "these points and wheel_centre" in refused.err
     outcome = cli(
         "import", "hardpoints", "points.csv", "--name", "Hub=wheel_centre", "--out", "rig.toml"
     )

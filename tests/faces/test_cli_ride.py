@@ -267,7 +267,7 @@ def test_a_measured_record_gives_metrics_and_what_is_doubtful_of_it(cli, tmp_pat
     found = cli(*record, "--settling", "2 s", "--json").json
     assert found["duration"] == pytest.approx(27.995)
     assert 0.1 < found["metrics"]["weighted_rms"]["sprung.az"] < 1.0
-    assert [one["message"] for one in found["findings"] if "exchanged" in one["message"]]
+    assert [one["message"] for one in found["findings"] if "swapped" in one["message"]]
     text = cli(*record).out
     assert "sprung.az: its r.m.s. value is" in text
     assert "comfortable" in text

@@ -153,7 +153,10 @@ def test_the_keyboard_goes_everywhere_and_is_seen(workbench, browser):
     page.keyboard.press("Tab")
     assert page.evaluate("document.activeElement.title") == "Save this page"
     page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.textContent") == "Analyse and compare with other recordings"
+    assert (
+        page.evaluate("document.activeElement.textContent")
+        == "Analyse and compare with other recordings"
+    )
     page.context.close()
     assert opened.troubles == []
 

@@ -302,7 +302,7 @@ def test_intervals_with_model_error_stand_beside_those_of_the_noise(result):
     for name in ("strategy 1", "strategy 2", "strategy 3"):  # one trial each
         assert update(result, name).discrepancy is None
         assert any(
-            "it takes 3 fitted trials (here 1)" in finding.message
+            "it requires 3 fitted trials (here 1)" in finding.message
             for finding in update(result, name).findings
         )
     found = update(result, "strategy 4")

@@ -199,7 +199,7 @@ def test_a_number_at_its_edge_and_searches_that_did_not_settle_are_told(
     )
     monkeypatch.setattr("jounce.design.hardpoint_search._STEPS", 2)
     assert findings("20 mm", tolerance="0.1 deg")["starts"].startswith(
-        "2 of 2 stopped before they converged"
+        "2 of 2 searches stopped before they converged"
     )
 
 

@@ -253,9 +253,9 @@ def evaluate_inspection(  # noqa: PLR0913 - each is an option
     >>> evaluate_inspection([file], "egea-specsus2018", place="Kempten").graded.verdict
     'pass'
     """
+    protocols = _checked_protocols(records, reports, language, force=force)
     paths = [existing_file(file, RecordingError) for file in records]
     deciding = check_methods(methods)
-    protocols = _checked_protocols(records, reports, language, force=force)
     chosen, under_test = as_tester(tester), None if vehicle is None else load(vehicle)
     name = "" if vehicle is None else Path(vehicle).stem
     facts = {"date": date, "place": place, "plate_number": plate, "operator": inspector}
@@ -390,7 +390,7 @@ def _reopened(store: Store, number: int, limits: Limits) -> InspectedRecord:
     now = (found.graded.verdict, limits.label)
     if stored is not None and (stored.verdict, stored.limits) != now:
         raise RecordingError(
-            "the stored grading is another one",
+            "the stored grading differs",
             where=f"{store.location}, record {number}",
             found=Phrase("{verdict} under {limits}", verdict=stored.verdict, limits=stored.limits),
             allowed=Phrase("{verdict} under {limits}", verdict=now[0], limits=now[1]),

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from jounce.campaign.laboratory import TrialRow
 
 _READ = ("columns", "variable", "sample_time", "stroke_positive", "force_positive")
+_MOST_FILES = 500  # of one bench table; also those of a request to enter files
 """Keys that define how all files of a table are read."""
 Use = Literal["spring", "tyre", "decay", "trial"]
 
@@ -319,6 +320,9 @@ def _with_file(project: Project, path: str, text: str, use: Use, fields: Mapping
             if not pressure:
                 raise DescriptionError("tyre measurements need their pressure", where="pressure")
             bench = bench.setdefault("tyre", tomlkit.table(is_super_table=True))
+        files = plain.get("files", [])
+        if not isinstance(files, list) or len(files) > _MOST_FILES:
+            raise DescriptionError("not a list of files", where="files", allowed="up to 500 files")
         name = pressure if use == "tyre" else use
         own = bench.setdefault(name, tomlkit.table())
         before = [] if replace else [str(file) for file in own.get("files", [])]

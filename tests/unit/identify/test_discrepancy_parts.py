@@ -110,7 +110,9 @@ def test_findings_of_a_calibration_name_what_to_do() -> None:
         )
         assert told in drawn[0].message
     assert found[2].message.startswith("with all uncertain inputs fitted, 51 %")
-    assert found[2].message.endswith("explains it; more freedom for height would leave 42 % of all")
+    assert found[2].message.endswith(
+        "explains it; more freedom for height would reduce the residual to 42 % of the total"
+    )
     assert _findings(one, {}, {}, {}, {"x": 0.51}, "", 0.51)[0].message.endswith(
         "none of these inputs explains it"
     )

@@ -69,7 +69,7 @@ def test_a_known_stiffness_of_a_rotation_is_compared():
     assert "implies a stiffness" not in told(stated)
     wrong = fit_decay(t, x, inertia="0.8 kg*m^2", stiffness="0.5 kN*m/rad", quantity="angle")
     assert "inertia and frequency give 420" in told(wrong)
-    assert "check inertia, stiffness, clock" in told(wrong)
+    assert "check inertia, stiffness and time base" in told(wrong)
     with pytest.raises(DescriptionError, match="N/m"):
         fit_decay(t, x, inertia=0.8, stiffness="420 N/m", quantity="angle")
 
@@ -87,14 +87,14 @@ def test_a_known_stiffness_of_a_rotation_is_compared():
             {"mass": 16.0, "inertia": 0.8},
             ("a record of this quantity needs the inertia of the oscillating body"),
         ),
-        ("angle", {}, "no inertia given"),
+        ("angle", {}, "the inertia is not given"),
         ("angle", {"inertia": -0.8}, "the inertia is not positive"),
         (
             "velocity",
             {"inertia": 0.8},
             "a record of this quantity needs the mass of the oscillating body",
         ),
-        ("velocity", {}, "no mass given"),
+        ("velocity", {}, "the mass is not given"),
         ("velocity", {"mass": 0.0}, "the mass is not positive"),
     ],
 )

@@ -89,7 +89,7 @@ def test_exchanged_channels_are_named(swapped: tuple[int, ...], where: str) -> N
 
 def _exchanged(made: Any) -> list[tuple[str, str]]:
     found = jn.update_model(made, FREE, weights="normalised")
-    return [(one.place, one.message) for one in found.findings if "exchanged" in one.message]
+    return [(one.place, one.message) for one in found.findings if "swapped" in one.message]
 
 
 @pytest.mark.parametrize(

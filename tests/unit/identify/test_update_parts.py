@@ -99,7 +99,7 @@ def test_other_minima_are_told_and_how_near_they_come() -> None:
     best = optimum(1.0, 0.2)
     assert update._other_minima("u", problem, SearchOutcome(best, (), 4, is_confirmed=True)) == []
     (finding,) = update._other_minima("u", problem, SearchOutcome(best, (), 8, is_confirmed=False))
-    assert (finding.severity, "none of 7 other start points" in finding.message) == (
+    assert (finding.severity, "none of the 7 other start points" in finding.message) == (
         "warning",
         True,
     )

@@ -175,7 +175,9 @@ def test_a_delay_that_was_not_asked_for_is_told(passed: tuple[jn.Rig, jn.Trial, 
 
 def test_copies_of_a_record_are_told(passed: tuple[jn.Rig, jn.Trial, Any]) -> None:
     found = updated(passed, passed[2], passed[2].copy(deep=True))
-    assert "trial 2: the same numbers as trial 1: a copy is not a repetition" in told(found)
+    assert "trial 2: contains the same numbers as trial 1: a copy is not a repetition" in told(
+        found
+    )
 
 
 def test_what_is_no_recording_is_refused_by_what_is_wrong(
@@ -188,7 +190,7 @@ def test_what_is_no_recording_is_refused_by_what_is_wrong(
     in_g["sprung.az"].attrs["units"] = "g"
     for wrong, text in (
         (gap, "trial 1: sprung.az: sample 51 is not a finite number"),
-        (in_g, "another unit; found 'g'; allowed: m/s"),
+        (in_g, "a different unit; found 'g'; allowed: m/s"),
         (record.isel(time=slice(None, None, -1)), "time does not increase"),
         (record.isel(time=slice(0, 0)), "too few samples; found 0"),
         (record.isel(time=slice(0, 1)), "too few samples; found 1"),

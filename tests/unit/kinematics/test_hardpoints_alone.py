@@ -318,7 +318,7 @@ def test_a_mcpherson_strut_is_one_of_its_links(tmp_path: Path) -> None:
     file = tmp_path / "points.csv"
     rows = [f"{point},{','.join(map(str, at))}" for point, at in table["hardpoints"].items()]
     file.write_text("\n".join(["name,x [m],y [m],z [m]", *rows]), encoding="utf-8")
-    with pytest.raises(jn.DescriptionError, match="also strut_bottom, strut_top"):
+    with pytest.raises(jn.DescriptionError, match="these points and strut_bottom, strut_top"):
         import_hardpoints(file)
 
 
@@ -328,7 +328,7 @@ def test_half_a_strut_in_a_table_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "points.csv"
     rows = [f"{point},{','.join(map(str, at))}" for point, at in points.items()]
     file.write_text("\n".join(["name,x [m],y [m],z [m]", *rows]), encoding="utf-8")
-    with pytest.raises(jn.DescriptionError, match="also strut_bottom"):
+    with pytest.raises(jn.DescriptionError, match="these points and strut_bottom"):
         import_hardpoints(file)
 
 

@@ -127,8 +127,8 @@ def test_open_and_inside_out_meshes_are_refused(tmp_path):
 @pytest.mark.parametrize(
     ("make", "text"),
     [
-        (lambda: jn.mechanics.box(-1.0, SIZE, CENTRE), "not a density; found '-1 kg"),
-        (lambda: jn.mechanics.box(1.0, (0.1, 0.0, 0.1), CENTRE), "not a size; found '0 m'"),
+        (lambda: jn.mechanics.box(-1.0, SIZE, CENTRE), "invalid density; found '-1 kg"),
+        (lambda: jn.mechanics.box(1.0, (0.1, 0.0, 0.1), CENTRE), "invalid size; found '0 m'"),
         (lambda: jn.mechanics.box(1.0, (0.1, 0.1), CENTRE), "size"),
         (lambda: jn.mechanics.box(1.0, SIZE, (0.0, 0.0)), "centre"),
         (lambda: jn.mechanics.box(1.0, SIZE, (0.0, 0.0, float("nan"))), "centre"),

@@ -55,5 +55,5 @@ def test_what_is_no_record_or_was_graded_otherwise_is_refused(lane: Path) -> Non
 
     opened.add_gradings([(1, replace(newest, limits="limits of another year"))])
     opened.close()
-    with pytest.raises(RecordingError, match="the stored grading is another one"):
+    with pytest.raises(RecordingError, match="the stored grading differs"):
         jn.open_inspection([1], store)

@@ -1,9 +1,9 @@
 /** Requests to the server; answers are plain data, refusals are errors with the server's message. */
 
-import { lasting } from "../browser";
 import { fromField, tr } from "../words";
 import type * as answers from "./answers";
 import { type Finding, inLanguage, learnt, Refused } from "./refusals";
+import { token } from "./token";
 
 export type { FormProblem, Text, Version } from "./answers";
 
@@ -53,19 +53,6 @@ export interface Answer {
 /** Digest of the saved rig that the sent changes refer to. */
 export interface OfRig {
   digest: string;
-}
-
-const KEY = "jounce-token",
-  brought = new URLSearchParams(location.search).get("token");
-/** Token from the printed address, sent with every request. It is stored for this address, for all tabs, and sent to no other. */
-export const token = brought ?? lasting?.getItem(KEY) ?? "";
-if (brought !== null) {
-  try {
-    lasting?.setItem(KEY, token);
-  } catch {
-    /* full: it is known as long as this page is open */
-  }
-  history.replaceState(null, "", location.pathname + location.hash);
 }
 
 export const asked = (

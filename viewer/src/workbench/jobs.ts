@@ -2,12 +2,13 @@
 
 import { make, whenLeft, written } from "../page";
 import { heard, isGerman, tr } from "../words";
-import { asked, get, token, upload } from "./api";
+import { asked, get, upload } from "./api";
 import { moment } from "./drafts";
 import { notify } from "./notices";
 import { InTurn, problem, snippets } from "./parts";
 import { type Finding, learnt, Refused } from "./refusals";
 import { address } from "./shell";
+import { token } from "./token";
 
 export interface Step {
   evaluation: number;

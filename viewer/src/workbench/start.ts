@@ -1,5 +1,6 @@
-/** First script of the workbench: it sets the language before any other module reads it. */
+/** First script of the workbench: it stores the token, and sets the language before any other module reads it. */
 
+import "./token";
 import { language } from "./language";
 import "uplot/dist/uPlot.min.css";
 import "../../../src/jounce/report/templates/blocks.css";

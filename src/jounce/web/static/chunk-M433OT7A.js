@@ -1,1 +1,0 @@
-try{new Intl.NumberFormat(navigator.language||"-")}catch{Object.defineProperty(navigator,"language",{value:"en"})}var a=t=>{try{return t()}catch{return null}},e=a(()=>localStorage),n=a(()=>sessionStorage);export{e as a,n as b};
