@@ -386,7 +386,8 @@ def test_sizes_of_files_that_cannot_be_meant_are_questioned(
         'warning: high.toml: height: 35 m: a number without a unit is in m; did you mean "35 mm"?'
     ]
     assert soft == [
-        'warning: soft.toml: strut.spring.rate: 22.73 N/m: a number without a unit is in N/m; did you mean "22.73 N/mm"?'
+        "warning: soft.toml: strut.spring.rate: 22.73 N/m: a number without a unit is in N/m; "
+        'did you mean "22.73 N/mm"?'
     ]
     assert good == []
     asked = cli("modes", "soft.toml").err

@@ -532,7 +532,7 @@ def symbols(count):
         (lambda t: t.m.rotational_spring_damper("r", "pivot", stiffness=-1.0), "r.stiffness: out of range"),
         (lambda t: t.m.rotational_spring_damper("r", t.b), "r: invalid name; found 'Body'; allowed: text without"),
         (lambda t: t.m.stop("end", t.q, stiffness=1e3), "end: a travel stop without limits"),
-        (lambda t: t.m.stop("end", t.q, lower=1.0, upper=-1.0, stiffness=1e3), "end: the lower limit of the stop is above"),
+        (lambda t: t.m.stop("end", t.q, lower=1.0, upper=-1.0, stiffness=1e3), "end: the lower limit of the stop"),
         (lambda t: t.m.stop("end", t.q, upper=1.0, stiffness=0.0), "end.stiffness: out of range; found '0 N/m'"),
         (lambda t: t.m.stop("end", t.q, upper=1.0, stiffness=1.0, damping=-1.0), "end.damping: out of range"),
         (lambda t: t.m.friction("f", t.q, -5.0), "f.force: out of range; found '-5 N'; allowed: at least 0 N"),
