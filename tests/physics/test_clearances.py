@@ -172,7 +172,7 @@ def test_lengths_of_links_are_kept_by_a_sweep(rig) -> None:
     ("pairs", "message"),
     [
         ({}, "nothing to measure"),
-        ({"a": (jn.Rim(radius=0.1, inner=0.0, outer=0.1),) * 2}, "two values are required"),
+        ({"a": (jn.Rim(radius=0.1, inner=0.0, outer=0.1),) * 2}, "invalid pair of bodies"),
         (
             {"a": (jn.Solid(points=("tie_rod_iner",)), jn.Solid(points=("wheel_centre",)))},
             "tie_rod_inner",
