@@ -303,7 +303,7 @@ def findings_of_tester(tester: Tester, where: str = "") -> list[Finding]:
     >>> findings_of_tester(tester)
     []
     >>> [str(finding) for finding in findings_of_tester(tester.with_changes({"sampling_frequency": "500 Hz"}))]
-    ['warning: sampling_frequency: 500 Hz is below the tester's own limits.sampling_frequency_min of 1000 Hz.']
+    ["warning: sampling_frequency: 500 Hz is below the tester's own limits.sampling_frequency_min of 1000 Hz."]
     """
     start = f"{where}: " if where else ""
     findings: list[Finding] = []

@@ -149,7 +149,7 @@ def import_adams(
     >>> _ = file.write_text("[SUBSYSTEM_HEADER]" + chr(10) + "MAJOR_ROLE = 'steering'")
     >>> import_adams(file)   # doctest: +ELLIPSIS
     Traceback (most recent call last):
-    jounce.core.errors.DescriptionError: ... no suspension; found 'steering'; allowed: suspension.
+    jounce.core.errors.DescriptionError: ... not a suspension; found 'steering'; allowed: suspension.
     """
     file = read_teim_orbit(path)
     header = file.first("SUBSYSTEM_HEADER")
