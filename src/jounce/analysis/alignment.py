@@ -8,7 +8,7 @@ from typing import Annotated, Literal, TypeAlias, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from jounce.analysis.record import AnyRecord, Measured, check_channel, read_measured
+from jounce.analysis.record import AnyRecord, Measured, check_channel, read_measured, refuse_gaps
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.phrases import Phrase
 from jounce.core.results import Shows
@@ -309,18 +309,7 @@ def _rate(track: Track) -> float:
 def _at(track: Track, rate: float) -> Array:
     """Return a track at a rate, from its first instant."""
     values = track.values
-    lost = np.flatnonzero(~np.isfinite(values))
-    if lost.size:
-        raise RecordingError(
-            Phrase(
-                "{size} of {second_size} samples are missing",
-                size=lost.size,
-                second_size=values.size,
-            ),
-            where=track.where,
-            found=f"the first at {float(track.time[lost[0]]):.6g} s",
-            allowed="numbers only",
-        )
+    refuse_gaps(track.time, values, where=track.where)
     wanted = uniform_instants(float(track.time[0]), float(track.time[-1]), rate)
     return read_at(track.time, values, wanted, rate)
 

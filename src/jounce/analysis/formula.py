@@ -11,7 +11,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from jounce.analysis.record import AnyRecord, read_measured
+from jounce.analysis.record import AnyRecord, read_measured, refuse_gaps
 from jounce.core.errors import DescriptionError, RecordingError, nearest
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
@@ -512,7 +512,7 @@ def _integral(evaluation: _Evaluation, x: Signal) -> Signal:
     from scipy.integrate import cumulative_trapezoid
 
     values = evaluation.samples(x)
-    _refuse_gaps(evaluation, x, values)
+    refuse_gaps(evaluation.time, values, where=f"{evaluation.where}: {x.text}")
     area = cumulative_trapezoid(values, evaluation.time, initial=0.0)
     return Signal(area, _multiplied(x.powers, _SECOND), "")
 
@@ -523,7 +523,7 @@ def _filtered(
     from jounce.recordings.signals import band_limit
 
     values = evaluation.samples(x)
-    _refuse_gaps(evaluation, x, values)
+    refuse_gaps(evaluation.time, values, where=f"{evaluation.where}: {x.text}")
     low, high = (
         None if corner is None else evaluation.number(corner, _HERTZ, "Hz")
         for corner in (above, below)
@@ -543,7 +543,7 @@ def _smooth(evaluation: _Evaluation, x: Signal, span: Signal) -> Signal:
     from scipy.ndimage import uniform_filter1d
 
     values = evaluation.samples(x)
-    _refuse_gaps(evaluation, x, values)
+    refuse_gaps(evaluation.time, values, where=f"{evaluation.where}: {x.text}")
     count = round(evaluation.number(span, _SECOND, "s") * evaluation.rate(x.text)) // 2 * 2 + 1
     if not 1 <= count <= values.size:
         raise DescriptionError(
@@ -565,26 +565,11 @@ def _delay(evaluation: _Evaluation, x: Signal, lag: Signal) -> Signal:
 
 def _detrend(evaluation: _Evaluation, x: Signal) -> Signal:
     values, time = evaluation.samples(x), evaluation.time
-    _refuse_gaps(evaluation, x, values)
+    refuse_gaps(evaluation.time, values, where=f"{evaluation.where}: {x.text}")
     if values.size < 2:
         return Signal(values - values.mean(), x.powers, "")
     slope, level = np.polyfit(time - time.mean(), values, 1)
     return Signal(values - slope * (time - time.mean()) - level, x.powers, "")
-
-
-def _refuse_gaps(evaluation: _Evaluation, x: Signal, values: Array) -> None:
-    lost = np.flatnonzero(~np.isfinite(values))
-    if lost.size:
-        raise RecordingError(
-            Phrase(
-                "{size} of {second_size} samples are missing",
-                size=lost.size,
-                second_size=values.size,
-            ),
-            where=f"{evaluation.where}: {x.text}",
-            found=f"the first at {float(evaluation.time[lost[0]]):.6g} s",
-            allowed="numbers only",
-        )
 
 
 FUNCTIONS: Mapping[str, _Function] = {

@@ -94,20 +94,7 @@ class Measured:
     def values(self, name: str) -> Array:
         """Samples of a channel, shape (n,), in its unit; raises an error if some are missing."""
         values = np.asarray(self.run[name].to_numpy(), dtype=float)
-        finite = np.isfinite(values)
-        if not finite.all():
-            lost = np.flatnonzero(~finite)
-            raise RecordingError(
-                Phrase(
-                    "{size} of {second_size} samples are missing",
-                    size=lost.size,
-                    second_size=values.size,
-                ),
-                where=f"{self.name}: {name}",
-                found=f"the first at {float(self.run['time'][int(lost[0])]):.6g} s",
-                allowed="numbers only",
-                hint="Choose a section without gaps (begin, end), or read the file with resample.",
-            )
+        refuse_gaps(self.run["time"].to_numpy(), values, where=f"{self.name}: {name}")
         return values
 
     def highest_frequency(self, name: str) -> float:
@@ -280,3 +267,20 @@ def frequency_ranges(frequency: Array, condition: NDArray[np.bool_]) -> list[tup
         for a, b in zip(edges[::2], edges[1::2], strict=True)
     ]
     return sorted(ranges, key=lambda ends: ends[0] - ends[1])
+
+
+def refuse_gaps(time: Array, values: Array, *, where: str) -> None:
+    """Raise RecordingError if samples are missing (NaN or infinite), with the time (s) of the first."""
+    lost = np.flatnonzero(~np.isfinite(values))
+    if lost.size:
+        raise RecordingError(
+            Phrase(
+                "{size} of {second_size} samples are missing",
+                size=lost.size,
+                second_size=values.size,
+            ),
+            where=where,
+            found=f"the first at {float(time[lost[0]]):.6g} s",
+            allowed="numbers only",
+            hint="Choose a section without gaps (begin, end), or read the file with resample.",
+        )
