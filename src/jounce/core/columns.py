@@ -6,7 +6,7 @@ import csv
 import math
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import compress
 from pathlib import Path
 
@@ -17,9 +17,11 @@ from jounce.core.errors import RecordingError, ResourceError, at_line, below, ne
 from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
+from jounce.core.plain_rows import parse_plain_rows
 from jounce.core.text import unguard_formula
 from jounce.core.types import Array
 from jounce.core.units import LARGEST, conversion_factor, is_unit
+from jounce.core.waiting import Stage, report_work
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _SEPARATOR_NAMES = {",": "comma", ";": "semicolon", "\t": "tab", " ": "blank"}
@@ -214,6 +216,71 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
     >>> columns_in("time [s]\tforce [N]\n0.0\t200.0\n", Path("run.xlsx"))["force"].values.tolist()
     [200.0]
     """
+    table = _read_in_bulk(text, file, named)
+    if table is None:
+        _check_memory(len(text), file, _MEMORY_A_BYTE)
+        table, _ = _read_rows(text, file, named)
+    return table
+
+
+_HEAD = 2000  # lines that are read row by row before all rows are read in bulk
+
+
+def _read_in_bulk(text: str, file: Path, named: int) -> ColumnTable | None:
+    """Read a long text of plain numbers; None for other texts, of which any row may decide what the others mean."""
+    end = 0
+    for _ in range(_HEAD):
+        end = text.find("\n", end) + 1
+        if not end:
+            return None
+    lines = text[:end].splitlines(keepends=True)
+    try:
+        head, separator = _read_rows(text[:end], file, named)
+    except RecordingError:
+        return None
+    codes = {remark.code for remark in head.remarks}
+    if (
+        not isinstance(head.lines, range)  # there are blank lines
+        or len(head.lines) < _FEW
+        or "core.clock" in codes
+        or any(column.fault or column.part for column in head)
+    ):
+        return None
+    first, share = head.lines[0], 0.0
+
+    def follow(now: float) -> None:
+        nonlocal share
+        share = now
+
+    def reading_stage() -> Stage:
+        percent = 100.0 * share
+        return Stage(
+            "reading {file}: {percent:.0f} %", share=share, file=file.name, percent=percent
+        )
+
+    with report_work(reading_stage):
+        rows = parse_plain_rows(
+            text[sum(map(len, lines[: first - 1])) :], len(head), separator, follow
+        )
+    if rows is None or rows.has_commas is codes.isdisjoint(_OF_COMMAS):
+        return None
+    for position, values in enumerate(rows.columns):
+        if _may_have_thousands(values):
+            cells = [_cells(line, separator)[position] for line in lines[first - 1 :]]
+            if all(_GROUPED.fullmatch(cell) for cell in cells if _has_mark(cell)):
+                return None
+    columns = tuple(
+        replace(column, values=values) for column, values in zip(head, rows.columns, strict=True)
+    )
+    remarks = head.remarks
+    if rows.is_cut_off:
+        remarks += (finding("core.cut_off", str(file)),)
+    lines_of_rows = range(first, first + rows.columns[0].size)
+    return replace(head, columns=columns, lines=lines_of_rows, remarks=remarks)
+
+
+def _read_rows(text: str, file: Path, named: int) -> tuple[ColumnTable, str]:
+    """Read number columns of a text row by row, and the separator of its cells."""
     lines = text.splitlines()
     comments, first = _leading_comments(lines)
     if first == len(lines):
@@ -258,7 +325,7 @@ def columns_in(text: str, file: Path, named: int = 0) -> ColumnTable:
         ) from None
     if start > first:
         remarks = (finding("core.header_below", str(file), kind="line", number=start + 1), *remarks)
-    return ColumnTable(columns, comments, str(file), numbers, remarks)
+    return ColumnTable(columns, comments, str(file), numbers, remarks), separator
 
 
 def read_comments_csv(path: Path | str) -> tuple[str, ...]:
@@ -286,21 +353,22 @@ def parse_header(header: str) -> list[tuple[str, str]]:
     return [name_and_unit(cell) for cell in header.split(_separator(header))]
 
 
-_MEMORY_A_BYTE = 25  # bytes of memory for each byte of a text file while it is read
+_LEAST_MEMORY_A_BYTE, _MEMORY_A_BYTE = 6, 25
+"""Bytes of memory for each byte of a text file while it is read: of plain numbers, and of any other."""
 
 
-def _check_memory(size: int, file: Path) -> None:
+def _check_memory(size: int, file: Path, a_byte: int) -> None:
     """Refuse a text that does not fit into memory, if its size is known: it would crash the process or the machine."""
     try:
         meminfo = Path("/proc/meminfo").read_text(encoding="ascii")
         free = 1024 * int(meminfo.partition("MemAvailable:")[2].split()[0])
     except (OSError, ValueError, IndexError):
         return
-    if size * _MEMORY_A_BYTE > free:
+    if size * a_byte > free:
         raise ResourceError(
             "the file needs more memory than is available",
             where=str(file),
-            found=f"{size / 1e9:.3g} GB of text, {size * _MEMORY_A_BYTE / 1e9:.3g} GB while it is read",
+            found=f"{size / 1e9:.3g} GB of text, {size * a_byte / 1e9:.3g} GB while it is read",
             allowed=Phrase("{free:.3g} GB", free=free / 1e9),
             hint="Export fewer channels or a part of the record, or a binary format (.mf4, .tdms, .parquet, .mat).",
         )
@@ -312,7 +380,8 @@ _DOS_END, _SECTOR = b"\x1a", 512
 
 def text_of(file: Path) -> str:
     """Return the text of a file of columns; refuse binary or missing files and files larger than the memory."""
-    _check_memory(existing_file(file, RecordingError).stat().st_size, file)
+    size = existing_file(file, RecordingError).stat().st_size
+    _check_memory(size, file, _LEAST_MEMORY_A_BYTE)
     with reading(file, RecordingError):
         content = file.read_bytes()
     if (
@@ -743,9 +812,7 @@ def _columns(
         )
     remarks = []
     if comma:
-        remarks.append(
-            finding("core.commas_or_thousands" if are_grouped else "core.decimal_commas", str(file))
-        )
+        remarks.append(finding(_OF_COMMAS[are_grouped], str(file)))
     if units:
         remarks.append(finding("core.units_below", str(file), kind="line"))
     remarks += [
@@ -754,6 +821,7 @@ def _columns(
     return tuple(columns), tuple(remarks)
 
 
+_OF_COMMAS = ("core.decimal_commas", "core.commas_or_thousands")
 _OF_DAY = re.compile(r"(?:(\d{1,6}) days? \+?)?(\d{1,2}):(\d{2}):(\d{2}(?:[.,]\d+)?)")
 _OF_CALENDAR = re.compile(
     r"(\d{4}-\d{2}-\d{2}[T ]\d{2}:\d{2}:\d{2})([.,]\d+)?(?:(Z)|([+-]\d{2})(?::?(\d{2}))?)?"
@@ -832,13 +900,15 @@ def _may_have_thousands(numbers: Array) -> bool:
 
 def _thousands(cells: Sequence[str], lines: Sequence[int], where: str) -> RecordingError | None:
     """Error for numbers whose marks all precede three digits, in a column with integers below a thousand."""
-    marked = [
-        (cell, line) for cell, line in zip(cells, lines, strict=True) if "." in cell or "," in cell
-    ]
+    marked = [(cell, line) for cell, line in zip(cells, lines, strict=True) if _has_mark(cell)]
     if not marked or not all(_GROUPED.fullmatch(cell) for cell, _ in marked):
         return None
     cell, line = marked[0]
     return _either(f"{cell!r} (line {line})", where, ", and other cells are whole numbers")
+
+
+def _has_mark(cell: str) -> bool:
+    return "." in cell or "," in cell
 
 
 def _either(cell: str, where: str, more: str = "") -> RecordingError:
