@@ -252,3 +252,30 @@ def test_charts_and_events_of_the_window(page: Any, workbench: tuple[Path, int])
     assert page.get_by_label("Notes on this layout").input_value() == "tyres worn"
     page.get_by_label("remove kerb").click()
     page.locator(".flag").wait_for(state="detached")
+
+
+@pytest.mark.parametrize("where", ["data", "record"])
+def test_a_large_recording_shows_how_far_it_is_read(page: Any, where: str) -> None:
+    """Answers are held back here: how far a file is read is tested with files."""
+    asked = "**/api/data/curves" if where == "data" else "**/api/record?**"
+    reading = [
+        {"path": "first.csv", "share": 0.415, "seconds": 2.2},
+        {"path": "other.nc", "share": None, "seconds": 9.7},
+    ]
+    held: list[Any] = []
+    page.route(asked, lambda route: held.append(route))  # noqa: PLW0108 - it needs a function of Python
+    page.route("**/api/data/reading", lambda route: route.fulfill(json=reading))
+    page.evaluate("where => { location.hash = where; }", f"/{where}?path=first.csv")
+    first, other = (page.locator(".reading").nth(k) for k in (0, 1))
+    first.wait_for()
+    assert first.inner_text().split("\n") == ["Reading first.csv", "42 %, 2 s"]
+    assert (
+        first.get_by_role("progressbar", name="Reading first.csv").get_attribute("value") == "0.415"
+    )
+    assert other.inner_text().split("\n") == ["Reading other.nc", "10 s"]
+    assert other.locator("progress").get_attribute("value") is None
+    page.unroute(asked)
+    for route in held:
+        route.continue_()
+    page.locator(".u-over").first.wait_for()
+    assert page.locator(".reading").count() == 0

@@ -426,16 +426,18 @@ def working_folder() -> Iterator[Path]:
         shutil.rmtree(folder, ignore_errors=True)
 
 
-def lasting_folder() -> Path:
+def lasting_folder(place: Path | None = None) -> Path:
     """Return a folder for files that other programs open; it outlives this process, and the next call removes it.
+
+    It is made in the system's folder of temporary files, or in ``place``.
 
     >>> lasting_folder().name.startswith(".jounce-")
     True
     """
-    place = Path(tempfile.gettempdir())
+    place = place or Path(tempfile.gettempdir())
     with _as_output_error(place, "no folder for temporary files can be made"):
         _sweep(place)
-        return Path(tempfile.mkdtemp(prefix=_own_prefix()))
+        return Path(tempfile.mkdtemp(prefix=_own_prefix(), dir=place))
 
 
 _LONGEST_SUFFIX = 16

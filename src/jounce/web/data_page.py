@@ -132,6 +132,11 @@ def data_routes(project: Project, records: Records) -> APIRouter:
         """Return the digest of each file as it is now; empty for a file that is gone."""
         return {path: records.digest(path) for path in asked.paths}
 
+    @router.get("/api/data/reading")
+    def reading() -> list[dict[str, Any]]:
+        """Return the recordings that are being read now: path, share (0 to 1, if known), and seconds so far."""
+        return records.reading()
+
     @router.get("/api/data/layout")
     def read_layout(path: str) -> dict[str, Any]:
         """Return a saved layout and the digest of its file."""

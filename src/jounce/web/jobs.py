@@ -99,6 +99,7 @@ class Jobs:
         self.begun: dict[str, float] = {}  # monotonic start times of jobs started by this server
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
         self.ended: dict[str, dict[str, Any]] = {}
+        self.awaited: dict[str, Path] = {}  # folders of short tasks, by title
         self.ready: subprocess.Popen[bytes] | None = None
         self.closing = threading.Event()  # the server is stopping: no client receives answers
         self.lock, self.read, self.known = threading.Lock(), 0.0, []  # type: tuple[Any, float, list[dict[str, Any]]]
@@ -154,11 +155,13 @@ class Jobs:
         """Run a task in a separate process; give its folder once it has ended well."""
         with tempfile.TemporaryDirectory(prefix="jounce-") as place:
             folder = self._write_job(Path(place) / "asked", spec, None)
-            if spec.light:
-                _start_process(folder, waited=True)
-            else:
-                self._apart(folder)
-            if not _is_over(folder, spec.patience, self.closing):
+            self.awaited[spec.title] = folder
+            try:
+                self._apart(folder, light=spec.light)
+                is_over = _is_over(folder, spec.patience, self.closing)
+            finally:
+                self.awaited.pop(spec.title, None)
+            if not is_over:
                 mark(folder / CANCEL)
                 limit = f"more than {spec.patience:.0f} s"
                 raise DescriptionError("this takes too long", where=spec.title, found=limit)
@@ -174,11 +177,18 @@ class Jobs:
             if SPLITS and (self.ready is None or self.ready.poll() is not None):
                 self.ready = _waiting()
 
-    def _apart(self, folder: Path) -> None:
-        """Start a process that works on a folder."""
-        self.prepare()
+    def share_of(self, title: str) -> float | None:
+        """Return the completed share of a short task that somebody waits for; None if it is unknown."""
+        folder = self.awaited.get(title)
+        progress = folder and _read_model(_Progress, folder / PROGRESS)
+        return progress.share if progress else None
+
+    def _apart(self, folder: Path, *, light: bool) -> None:
+        """Start a process that works on a folder; a light task does not wait for the standby process to load."""
+        if not light:
+            self.prepare()
         with self.lock:
-            is_begun = self._split(folder, 0)
+            is_begun = (not light or self._has_loaded()) and self._split(folder, 0)
         if not is_begun:
             _start_process(folder, waited=True)
 

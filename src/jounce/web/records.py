@@ -1,6 +1,7 @@
 """Cache of the long records of a project, each read once in a separate process.
 
-Cached data are stored in a folder of this server: a cache inside the project's folder could show a different record.
+Cached data are stored in a folder of this server, and in the user's cache folder for the next one: a cache inside the
+project's folder could show a different record.
 """
 
 from __future__ import annotations
@@ -8,9 +9,9 @@ from __future__ import annotations
 import json
 import shutil
 import threading
+import time
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from jounce.web.answers import word
 from jounce.web.formulas import is_computed, stems_of, with_formulas
 from jounce.web.jobs import Jobs
 from jounce.web.layouts import Formula
+from jounce.web.level_store import digest_of_pieces, keep, restore, store_folder
 from jounce.web.levels import ABOUT, Levels
 from jounce.web.project import Project
 from jounce.web.tasks import JobSpec
@@ -42,6 +44,8 @@ class Records:
         self.lock = threading.Lock()
         self.folder: Path | None = None
         self.known: OrderedDict[str, Levels] = OrderedDict()
+        self.turns: dict[str, threading.Lock] = {}
+        self.begun: dict[str, float] = {}  # s, by the path of each record that is being read
 
     def open(self, path: str) -> Levels:
         """Read a record in a separate process, unless it is cached."""
@@ -50,17 +54,17 @@ class Records:
             raise DescriptionError(
                 "no such file", where=path, hint="Choose a record of the project."
             )
-        with (
-            self.lock
-        ):  # a reloaded page repeats the request: a record being read is not written twice
-            key = _fingerprint(file)
-            if key not in self.known:
-                self.known[key] = self._read(path, file, key)
-            self.known.move_to_end(key)
-            while len(self.known) > _MOST_KEPT:
-                _, old = self.known.popitem(last=False)
-                shutil.rmtree(old.folder, ignore_errors=True)
-            return self.known[key]
+        key = _fingerprint(file)
+        with self._turn(key):  # a reloaded page repeats the request
+            levels = self.known.get(key) or self._read(path, file, key)
+            with self.lock:
+                self.known[key] = levels
+                self.known.move_to_end(key)
+                while len(self.known) > _MOST_KEPT:
+                    name, old = self.known.popitem(last=False)
+                    self.turns.pop(name, None)
+                    shutil.rmtree(old.folder, ignore_errors=True)
+        return levels
 
     def compute(
         self, path: str, levels: Levels, formulas: Sequence[Formula]
@@ -68,7 +72,7 @@ class Records:
         """Return a record with its computed channels, and the state of each formula; compute what is not stored."""
         if not formulas:
             return levels, []
-        with self.lock:
+        with self._turn(levels.folder.name):
             if not all(is_computed(levels.folder, stem) for stem in stems_of(formulas)):
                 question = {
                     "kind": "formulas",
@@ -78,6 +82,17 @@ class Records:
                 }
                 self._ask(f"Computing channels of {path}", question)
         return with_formulas(levels, formulas)
+
+    def reading(self) -> list[dict[str, Any]]:
+        """Return the records that are being read: path, the share that is read if known, and time so far in s."""
+        return [
+            {
+                "path": path,
+                "share": self.jobs.share_of(_title(path)),
+                "seconds": time.monotonic() - begun,
+            }
+            for path, begun in self.begun.copy().items()
+        ]
 
     def digest(self, path: str) -> str:
         """Return what identifies the present content of a record; empty if there is no such file."""
@@ -112,16 +127,26 @@ class Records:
             command = command_line(["jounce", "plot", word(path), *read, "--figure", "record.png"])
         return {"python": python, "command": command, "files": {}}
 
+    def _turn(self, key: str) -> threading.Lock:
+        with self.lock:
+            return self.turns.setdefault(key, threading.Lock())
+
     def _read(self, path: str, file: Path, key: str) -> Levels:
-        self.folder = self.folder or lasting_folder()
+        with self.lock:
+            self.folder = self.folder or lasting_folder(store_folder())
         folder = self.folder / key
         shutil.rmtree(folder, ignore_errors=True)  # incomplete, if the disk was full
-        question = {"kind": "levels", "file": str(file), "folder": str(folder)}
-        try:
-            self._ask(f"Reading {path}", question)
-        except Exception:
-            shutil.rmtree(folder, ignore_errors=True)
-            raise
+        if not restore(key, folder):
+            question = {"kind": "levels", "file": str(file), "folder": str(folder)}
+            self.begun[path] = time.monotonic()
+            try:
+                self._ask(_title(path), question)
+            except Exception:
+                shutil.rmtree(folder, ignore_errors=True)
+                raise
+            finally:
+                self.begun.pop(path, None)
+            keep(key, folder)
         return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
 
     def _ask(self, title: str, question: dict[str, Any]) -> None:
@@ -131,22 +156,19 @@ class Records:
         )
 
 
+def _title(path: str) -> str:
+    return f"Reading {path}"
+
+
 def _fingerprint(file: Path) -> str:
     """Return the fingerprint that identifies a record.
 
     Dates can be set, as ``cp -p`` does, and some file systems report neither a file identity nor the time of change.
     The fingerprint therefore includes pieces of the content, evenly spaced from the first byte to the last.
     """
-    state = state_of(file)
-    digest, last = (
-        sha256(f"{file}\0{state}".encode(errors="surrogatepass")),
-        max(0, state[1] - _PIECE),
-    )
-    with file.open("rb") as stream:
-        for place in dict.fromkeys(last * k // (_PIECES - 1) for k in range(_PIECES)):
-            stream.seek(place)
-            digest.update(stream.read(_PIECE))
-    return digest.hexdigest()[:24]
+    digest = digest_of_pieces(file, _PIECES, _PIECE)
+    digest.update(f"{file}\0{state_of(file)}".encode(errors="surrogatepass"))
+    return str(digest.hexdigest()[:24])
 
 
 def is_known_channel(name: str, unit: str) -> bool:

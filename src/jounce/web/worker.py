@@ -62,6 +62,7 @@ class _Told:
     def __init__(self, file: Path) -> None:
         self.file, self.written = file, 0.0
         self.line: Any = None
+        self.heard: str | None = None
         self.steps: deque[dict[str, Any]] = deque(maxlen=_MOST_STEPS)
         self.search = ""
         self.lock = threading.Lock()
@@ -69,6 +70,11 @@ class _Told:
     def follow(self, line: Any) -> None:
         """Store the current activity reported by the command."""
         self.line = line
+        self.write()
+
+    def hear(self, text: str | None) -> None:
+        """Store what a question waits for."""
+        self.heard = getattr(text, "what", text)
         self.write()
 
     def watch(self, numbers: Mapping[str, Any]) -> None:
@@ -91,6 +97,12 @@ class _Told:
                 "clock": time.monotonic(),
                 "steps": list(self.steps),
             }
+            if self.heard is not None:
+                state |= {
+                    "said": self.heard,
+                    "said_german": german_of(self.heard),
+                    "share": getattr(self.heard, "share", None),
+                }
             if line is not None:
                 said = line.waits or line.said
                 state |= {
@@ -139,9 +151,11 @@ def work(folder: Path) -> int:
 
             limit(*job["limits"])
         if "question" in job:
+            from jounce.core.waiting import heard_by
             from jounce.web.questions import answer
 
-            code = answer(job["question"])
+            with heard_by(progress.hear):
+                code = answer(job["question"])
         else:
             from jounce.cli import main
             from jounce.cli.reply import followed_by

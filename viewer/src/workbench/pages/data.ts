@@ -14,6 +14,7 @@ import type { Laid, Said, Track } from "../laid";
 import { emptyLayout, type Layout, packed, unpacked, whole as wholeLayout } from "../layout";
 import { LayoutBar } from "../layouts";
 import { LiveSnippets, Newest, Steps, select } from "../parts";
+import { whileReading } from "../readings";
 import { RecordingList } from "../recordings";
 import { asSaid } from "../refusals";
 import { saveChart } from "../saving";
@@ -53,6 +54,7 @@ class DataPage implements Laid {
   private readonly state = make("p", { class: "state", role: "status" });
   private readonly problems = make("div", { "aria-live": "polite" });
   private readonly notices = make("div", { "aria-live": "polite" });
+  private readonly readings = make("div");
   private readonly plots: LinkedPlots;
   private readonly player: HTMLElement;
   private readonly axis = select([]);
@@ -143,6 +145,7 @@ class DataPage implements Laid {
         { class: "data-main" },
         this.notices,
         this.problems,
+        this.readings,
         this.player,
         this.state,
         this.window.element,
@@ -271,11 +274,17 @@ class DataPage implements Laid {
         aside = window ? (window[1] - window[0]) / 2 : 0;
       try {
         const store = Store.of(
-          await api.binary("/api/data/curves", {
-            layout: this.layout,
-            ...(window ? { low: window[0] - aside, high: window[1] + aside } : {}),
-            columns: Math.min(4000, Math.max(600, Math.round(2 * this.plots.element.clientWidth))),
-          }),
+          await whileReading(
+            this.readings,
+            api.binary("/api/data/curves", {
+              layout: this.layout,
+              ...(window ? { low: window[0] - aside, high: window[1] + aside } : {}),
+              columns: Math.min(
+                4000,
+                Math.max(600, Math.round(2 * this.plots.element.clientWidth)),
+              ),
+            }),
+          ),
         );
         if (!this.place.isConnected) return;
         this.take(store, window);

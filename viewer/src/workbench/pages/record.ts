@@ -8,6 +8,7 @@ import { localised, tr } from "../../words";
 import * as api from "../api";
 import { offer, whenPinned } from "../curves";
 import { LiveSnippets, Newest } from "../parts";
+import { whileReading } from "../readings";
 import { asSaid } from "../refusals";
 import { saveChart } from "../saving";
 import { address, choose, setLive, type Values } from "../shell";
@@ -31,7 +32,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     return;
   }
   const began = performance.now(),
-    about = await api.get<About>(`/api/record?${api.query({ path })}`);
+    waiting = make("div");
+  place.replaceChildren(make("h1", {}, path), waiting);
+  const about = await whileReading(waiting, api.get<About>(`/api/record?${api.query({ path })}`));
   if (!place.isConnected) return;
   const shown = new Set([
       ...about.channels
