@@ -347,3 +347,47 @@ def test_files_are_checked_by_python_as_by_the_command(cli, bump: Path, tmp_path
     assert outcome.err.splitlines() == [
         f"jounce: {problem}" for problem in names["result"].problems
     ]
+
+
+LAYOUT = """schema = "jounce.layout/1"
+axis = "time"
+cursors = [0.1, 0.2]
+[[recordings]]
+path = "trial_1.csv"
+[[graphs]]
+channels = ["sprung.az", "twice"]
+[[formulas]]
+name = "twice"
+formula = "2 * sprung.az"
+"""
+
+
+def test_layouts_are_checked_with_their_formulas_and_recordings(cli, campaign: Path) -> None:
+    folder = campaign.parent / "layouts"
+    folder.mkdir()
+    (folder / "good.toml").write_text(LAYOUT, encoding="utf-8")
+    outcome = cli("check", folder / "good.toml", "--json")
+    assert outcome.exit_code == 0, outcome.err
+    (only,) = outcome.json["files"]
+    assert (only["kind"], only["what"]) == ("layout", "1 recording, 1 graph, 1 formula")
+    bad = LAYOUT.replace("2 * sprung.az", "2 * (sprung.az").replace("trial_1", "trial_9")
+    (folder / "bad.toml").write_text(bad, encoding="utf-8")
+    (folder / "odd.toml").write_text(LAYOUT.replace("axis", "axes"), encoding="utf-8")
+    outcome = cli("check", folder, "--json")
+    assert outcome.exit_code == 2
+    assert [item["ok"] for item in outcome.json["files"]] == [False, True, False]
+    assert "bad.toml: twice = 2 * (sprung.az: the formula cannot be read" in outcome.err
+    assert "bad.toml: recordings: no such file; found 'trial_9.csv'" in outcome.err
+    assert "odd.toml, line 2: axes: unknown key" in outcome.err
+
+
+def test_a_project_is_checked_as_a_whole(cli, campaign: Path, tmp_path: Path) -> None:
+    (campaign.parent / ".jounce").mkdir()
+    (campaign.parent / ".jounce" / "old.toml").write_text("x", encoding="utf-8")
+    outcome = cli("check", campaign.parent, "--json")
+    assert outcome.exit_code == 0, outcome.err
+    assert {item["kind"] for item in outcome.json["files"]} == {"campaign", "rig", "road"}
+    (tmp_path / "empty").mkdir()
+    outcome = cli("check", "empty")
+    assert outcome.exit_code == 2
+    assert "empty: the folder has no description" in outcome.err

@@ -80,8 +80,8 @@ def test_recordings_are_overlaid_and_measured(page: Any, workbench: tuple[Path, 
     assert [row[0] for row in rows] == [
         "speed [m/s] first.csv",
         "speed [m/s] second.csv",
-        "sprung.az [m/s^2] first.csv",
-        "sprung.az [m/s^2] second.csv",
+        "sprung.az [m/s²] first.csv",
+        "sprung.az [m/s²] second.csv",
     ]
     heads = page.locator("[aria-label='Figures of the window'] thead th").all_inner_texts()
     names = "channel,A,B,B − A,minimum,maximum,mean,r.m.s.,std. dev.,samples"
@@ -237,7 +237,7 @@ def test_charts_and_events_of_the_window(page: Any, workbench: tuple[Path, int])
         ("scatter", "correlation"),
     ):
         kind.select_option(choice)
-        page.locator(".data-main p", has_text=words).first.wait_for()
+        page.locator(".data-main .figures", has_text=words).first.wait_for()
     kind.select_option("histogram")
     page.get_by_label("Bins").wait_for()
     page.get_by_label("Event at cursor A").fill("kerb")
@@ -279,3 +279,98 @@ def test_a_large_recording_shows_how_far_it_is_read(page: Any, where: str) -> No
         route.continue_()
     page.locator(".u-over").first.wait_for()
     assert page.locator(".reading").count() == 0
+
+
+def test_undo_goes_back_to_what_was_opened(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    figures(page)
+    page.wait_for_timeout(800)  # a step is noted after a pause
+    undo = page.get_by_role("button", name="Undo")
+    assert undo.is_disabled()
+    page.get_by_label("Add a recording").select_option("second.csv")
+    page.locator(".pane-head", has_text="second.csv").first.wait_for()
+    undo.click()
+    page.locator(".pane-head", has_text="second.csv").first.wait_for(state="detached")
+    assert page.locator(".pane").count() == 2
+    assert undo.is_disabled()
+
+
+def test_waiting_is_told_and_a_faulty_formula_named_once(
+    page: Any, workbench: tuple[Path, int]
+) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    figures(page)
+    page.get_by_label("Add a recording").select_option("second.csv")
+    page.locator(".pane-head", has_text="second.csv").first.wait_for()
+    waiting: list[Any] = []
+    is_slow = True
+    page.route(
+        "**/api/data/curves",
+        lambda route: waiting.append(route) if is_slow else route.continue_(),
+    )
+    page.get_by_role("button", name="Add a formula").click()
+    page.locator(".player .computing", has_text="computing …").wait_for()
+    page.locator(".formulas .computing", has_text="computing …").wait_for()
+    channel = page.locator(".channels button", has_text="computed_1")
+    assert "computing …" in channel.inner_text()
+    is_slow = False
+    for route in waiting:
+        route.continue_()
+    page.locator(".formulas .computing").wait_for(state="detached")
+    channel.filter(has_text="m/s").wait_for()
+    formula = page.get_by_label("formula 1", exact=True)
+    formula.fill("brake + 1")
+    formula.press("Enter")
+    page.locator(".formulas .problem").wait_for()
+    assert page.locator(".formulas .problem").all_inner_texts() == [
+        "no channel 'brake'. Write a quantity in quotes, such as '20 Hz'."
+    ]
+    assert page.get_by_text("no recording has the channel").count() == 0
+    assert "faulty" in channel.inner_text()
+
+
+def test_recordings_are_aligned_along_a_distance(page: Any, workbench: tuple[Path, int]) -> None:
+    _, port = workbench
+    go(page, port, "/data?path=first.csv")
+    figures(page)
+    page.get_by_label("Add a recording").select_option("second.csv")
+    page.get_by_role("button", name="Add a formula").click()
+    formula = page.get_by_label("formula 1", exact=True)
+    formula.fill("integral(speed)")
+    formula.press("Enter")
+    page.locator(".channels button", has_text="computed_1").filter(has_text="m #").wait_for()
+    page.get_by_label("Over").select_option("computed_1")
+    page.get_by_text("Align two recordings").click()
+    form = page.locator(".aligning")
+    form.get_by_text("Largest shift [m]").wait_for()
+    form.get_by_label("Channel").select_option("sprung.az")
+    form.get_by_role("button", name="Align").click()
+    form.get_by_text(re.compile(r"Shifted by −(29|30|31)\.\d+ m\.")).wait_for()
+    assert float(page.get_by_label("shift of second.csv").input_value()) == pytest.approx(
+        -30.0, abs=1.5
+    )
+
+
+def test_a_german_page_shows_and_takes_a_decimal_comma(
+    page: Any, workbench: tuple[Path, int]
+) -> None:
+    _, port = workbench
+    page.get_by_role("button", name="Deutsch").click()
+    page.wait_for_selector("html[lang=de][data-ready]")
+    go(page, port, "/data?path=first.csv")
+    cursor = page.get_by_label("Cursor A", exact=True)
+    cursor.wait_for()
+    cursor.fill("2,75")
+    with page.expect_response("**/api/data/window") as answered:
+        cursor.press("Enter")
+    assert answered.value.request.post_data_json["begin"] == 2.75
+    page.wait_for_timeout(300)
+    assert page.evaluate("document.querySelector('.cursors input').value") == "2.75"
+    shown = "Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, 'value').get"
+    assert page.evaluate(f"({shown}).call(document.querySelector('.cursors input'))") == "2,75"
+    cursor.press("ArrowUp")
+    assert page.evaluate("document.querySelector('.cursors input').value") == "3.75"
+    cursor.fill("zwei")
+    assert cursor.get_attribute("aria-invalid") == "true"

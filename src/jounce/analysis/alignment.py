@@ -1,4 +1,4 @@
-"""Recordings brought onto one clock, by correlation of a channel or by an event that both contain."""
+"""Recordings brought onto one clock or one distance, by correlation of a channel or by an event of both."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from jounce.analysis.record import AnyRecord, Measured, check_channel, read_measured, refuse_gaps
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.phrases import Phrase
-from jounce.core.results import Shows
+from jounce.core.results import Shows, own_unit
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -33,31 +33,60 @@ class Alignment(Plain):
     Attributes
     ----------
     shift : float
-        Time (s) to add to the instants of the moved recording.
+        What to add to the instants (s) of the moved recording, or to its ``axis``, in the unit of that channel.
     correlation : float or None
         Coefficient (-1 to 1) of both channels at this shift: 1 if they are alike. None for an event.
     next_best : float or None
         The highest other peak of the correlation (-1 to 1); the closer to ``correlation``, the less certain.
     overlap : float
-        Duration of the overlap after the shift, s.
+        Duration of the overlap after the shift, s; on another axis its length, in ``unit``.
     rate : float or None
-        Samples per second (Hz) at which they were compared.
+        Samples per second (Hz), or per ``unit`` of the axis, at which they were compared.
+    unit : str
+        SI unit of the axis: "s", or that of the channel.
     """
 
-    shift: Annotated[float, Shows("shift", "s")]
+    shift: Annotated[float, Shows("shift", own_unit)]
     correlation: Annotated[float | None, Shows("correlation", "1")]
     next_best: Annotated[float | None, Shows("next best correlation", "1")]
-    overlap: Annotated[float, Shows("overlap", "s")]
-    rate: Annotated[float | None, Shows("compared at", "Hz")] = None
+    overlap: Annotated[float, Shows("overlap", own_unit)]
+    rate: Annotated[float | None, Shows("compared at", lambda found: _per(found.unit))] = None
+    unit: str = "s"
+
+
+def _per(unit: str) -> str:
+    return "Hz" if unit == "s" else f"1/{unit}"
 
 
 @dataclass(frozen=True)
 class Track:
-    """One channel of a recording: instants in s, ascending, and values."""
+    """One channel of a recording over its axis: ascending instants in s, or ascending values of another unit."""
 
     time: Array
     values: Array
     where: str
+    unit: str = "s"
+
+
+def track_over(axis: Array, values: Array, where: str, unit: str) -> Track:
+    """Return a channel over another that never descends; where that stands still, its first sample counts.
+
+    Raises
+    ------
+    RecordingError
+        If the axis descends, has gaps, or does not move.
+    """
+    steps = np.diff(axis)
+    if not (np.isfinite(axis).all() and (steps >= 0.0).all()):
+        raise RecordingError(
+            "the channel is no axis: it descends or has gaps",
+            where=where,
+            allowed="time, or a channel that never descends, such as a distance",
+        )
+    moves = np.concatenate(([True], steps > 0.0))
+    if np.count_nonzero(moves) < 2:
+        raise RecordingError("the channel is constant", where=where)
+    return Track(axis[moves], values[moves], where, unit)
 
 
 def align_by_correlation(
@@ -66,6 +95,7 @@ def align_by_correlation(
     channel: str,
     *,
     other: str = "",
+    axis: str = "time",
     maximum_shift: float | str | None = None,
     resample: float | str | None = None,
 ) -> Alignment:
@@ -79,10 +109,14 @@ def align_by_correlation(
         Channel of ``reference``; its level and size do not matter.
     other : str, optional
         Channel of ``moved``; by default the same.
+    axis : str, optional
+        ``time``, or a channel of both that never descends, such as a distance: the shift is along it, in its SI unit.
     maximum_shift : float or str, optional
-        Largest shift considered, s or text with a unit; by default any at which half of the shorter record overlaps.
+        Largest shift considered, s (or the SI unit of ``axis``) or text with a unit; by default any at which half of
+        the shorter record overlaps.
     resample : float or str, optional
-        Rate at which both are compared, Hz or text with a unit; required if their rates differ.
+        Rate at which both are compared, Hz (or samples per SI unit of ``axis``) or text with a unit; required if
+        their rates differ, but on another axis the lower mean rate is the default.
 
     Returns
     -------
@@ -106,9 +140,12 @@ def align_by_correlation(
     (-1.5, 1.0)
     >>> on_clock = second.assign_coords(time=second["time"] + found.shift)
     """
-    first, second = _tracks(reference, moved, channel, other)
-    most = None if maximum_shift is None else to_si(maximum_shift, "s", where="maximum_shift")
-    rate = None if resample is None else to_si(resample, "Hz", where="resample")
+    first, second = _tracks(reference, moved, channel, other, axis)
+    unit = first.unit
+    most = None if maximum_shift is None else to_si(maximum_shift, unit, where="maximum_shift")
+    rate = None if resample is None else to_si(resample, _per(unit), where="resample")
+    if rate is None and axis != "time":
+        rate = mean_rate(first, second)
     return correlated(first, second, maximum_shift=most, resample=rate)
 
 
@@ -120,6 +157,7 @@ def align_by_event(
     *,
     level: float | None = None,
     other: str = "",
+    axis: str = "time",
 ) -> Alignment:
     """Find the shift of a recording at which an event of a channel coincides with that of another recording.
 
@@ -135,6 +173,8 @@ def align_by_event(
         For ``rise`` and ``fall``: value in the SI unit of the channel.
     other : str, optional
         Channel of ``moved``; by default the same.
+    axis : str, optional
+        ``time``, or a channel of both that never descends, such as a distance: the shift is along it, in its SI unit.
 
     Returns
     -------
@@ -154,8 +194,13 @@ def align_by_event(
     >>> round(jn.align_by_event(*runs, "speed", "rise", level=0.5).shift, 6)
     -1.25
     """
-    first, second = _tracks(reference, moved, channel, other)
+    first, second = _tracks(reference, moved, channel, other, axis)
     return coincident(first, second, event, level)
+
+
+def mean_rate(*tracks: Track) -> float:
+    """Return the lowest mean rate of tracks: samples per unit of their axis."""
+    return min(_rate(track) for track in tracks)
 
 
 def correlated(
@@ -202,7 +247,7 @@ def correlated(
         raise RecordingError(
             "no shift within this range lets the recordings overlap",
             where=moved.where,
-            found=None if maximum_shift is None else f"{maximum_shift:g} s",
+            found=None if maximum_shift is None else f"{maximum_shift:g} {reference.unit}",
             hint="Allow a larger shift, or align their starts first.",
         )
     likeness = np.where(allowed, correlation_coefficients(a, b, most), -np.inf)
@@ -220,7 +265,7 @@ def correlated(
         raise RecordingError(
             "the best shift is at the end of the range",
             where=moved.where,
-            found=f"{shifts[peak]:.4g} s",
+            found=f"{shifts[peak]:.4g} {reference.unit}",
             hint="Allow a larger shift, choose another channel, or align them by an event.",
         )
     rival = _rival(likeness, peak)
@@ -230,11 +275,12 @@ def correlated(
             "the alignment is ambiguous",
             where=moved.where,
             found=Phrase(
-                "correlations of {height:.3f} at {first:.4g} s and {other:.3f} at {second:.4g} s",
+                "correlations of {height:.3f} at {first:.4g} {unit} and {other:.3f} at {second:.4g} {unit}",
                 height=height,
                 first=float(shifts[peak]),
                 other=other,
                 second=float(shifts[rival]),
+                unit=reference.unit,
             ),
             hint="Limit the shift, choose a channel that does not repeat, or align them by an event.",
         )
@@ -243,7 +289,8 @@ def correlated(
     part = 0.5 * (left - right) / bend if bend < 0.0 else 0.0
     shift = begin - (float(lags[peak]) + float(np.clip(part, -1.0, 1.0))) / rate
     overlap = float(length[peak] - 1) / rate
-    return Alignment(shift, min(height, 1.0), None if rival is None else other, overlap, rate)
+    next_best = None if rival is None else other
+    return Alignment(shift, min(height, 1.0), next_best, overlap, rate, reference.unit)
 
 
 def coincident(reference: Track, moved: Track, event: Event, level: float | None) -> Alignment:
@@ -252,11 +299,11 @@ def coincident(reference: Track, moved: Track, event: Event, level: float | None
     shift = at - also
     first = max(reference.time[0], moved.time[0] + shift)
     last = min(reference.time[-1], moved.time[-1] + shift)
-    return Alignment(shift, None, None, max(0.0, float(last - first)))
+    return Alignment(shift, None, None, max(0.0, float(last - first)), None, reference.unit)
 
 
 def event_instant(track: Track, event: Event, level: float | None = None) -> float:
-    """Return the instant (s) of an event of a track."""
+    """Return the instant (s) of an event of a track, or its place on another axis."""
     time, values = track.time, track.values
     if event not in EVENTS:
         raise unknown(str(event), EVENTS, what="event", where="event")
@@ -288,16 +335,19 @@ def event_instant(track: Track, event: Event, level: float | None = None) -> flo
 
 
 def _tracks(
-    reference: AnyRecord, moved: AnyRecord, channel: str, other: str
+    reference: AnyRecord, moved: AnyRecord, channel: str, other: str, axis: str
 ) -> tuple[Track, Track]:
     first, second = read_measured(reference), read_measured(moved)
-    return _track(first, channel), _track(second, other or channel)
+    return _track(first, channel, axis), _track(second, other or channel, axis)
 
 
-def _track(record: Measured, channel: str) -> Track:
-    values = record.values(check_channel(record, channel))
+def _track(record: Measured, channel: str, axis: str) -> Track:
+    values, where = record.values(check_channel(record, channel)), f"{record.name}: {channel}"
+    if axis != "time":
+        along = record.values(check_channel(record, axis))
+        return track_over(along, values, where, record.unit(axis))
     time = np.asarray(record.run["time"].to_numpy(), dtype=float)
-    return Track(time, values, f"{record.name}: {channel}")
+    return Track(time, values, where)
 
 
 def _rate(track: Track) -> float:

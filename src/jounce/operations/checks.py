@@ -93,7 +93,7 @@ def check_files(
         Sequence[Path | str],
         Texts(
             "Rigs, vehicles (also shipped ones by their name), controllers, FMUs, laboratories, campaigns, studies, "
-            "roads, testers, limits, recordings.",
+            "roads, testers, limits, layouts, recordings; or a folder with all its descriptions.",
             "FILE...",
         ),
     ],
@@ -108,7 +108,8 @@ def check_files(
     Parameters
     ----------
     given : sequence of Path or str
-        Files, patterns of their names, or names of shipped rigs and vehicles.
+        Files, patterns of their names, or names of shipped rigs and vehicles. Of a folder, all TOML files in it and
+        below are checked, but not those of hidden folders such as ``.jounce``.
     parameters : bool
         List the numbers of rigs, vehicles and testers by their paths.
     progress : callable
@@ -122,7 +123,7 @@ def check_files(
     Raises
     ------
     RecordingError
-        If no file matches a pattern.
+        If no file matches a pattern, or a folder has no TOML file.
 
     Examples
     --------
@@ -132,7 +133,10 @@ def check_files(
     """
     from jounce.parts import library as rigs
 
-    checked, every = [], matching_files([str(name) for name in given], "FILE")
+    checked, every = [], []
+    for name in map(str, given):
+        folder = Path(name)
+        every += _descriptions_in(folder) if folder.is_dir() else matching_files([name], "FILE")
     for k, file in enumerate(every, 1):
         progress(progress_through("checking {which} of {count}: {name}", k, len(every), name=file))
         shipped = None if file.exists() else rigs().get(str(file))
@@ -140,6 +144,22 @@ def check_files(
             check_file(file) if shipped is None else replace(check_file(shipped), file=file)
         )
     return CheckedFiles(tuple(checked), parameters)
+
+
+def _descriptions_in(folder: Path) -> list[Path]:
+    """Return all TOML files of a folder and below, but not those of hidden folders."""
+    found = sorted(
+        file
+        for file in folder.rglob("*.toml")
+        if not any(part.startswith(".") for part in file.relative_to(folder).parts)
+    )
+    if not found:
+        raise RecordingError(
+            "the folder has no description",
+            where=str(folder),
+            allowed="TOML files in it or below",
+        )
+    return found
 
 
 def checked_page(checked: CheckedFiles, *, title: str) -> Page:
@@ -509,6 +529,43 @@ def _check_sensor_file(check: FileCheck) -> None:
     check.what = f"sensors of {', '.join(read_sensors(check.file))}"
 
 
+def _check_layout(check: FileCheck) -> None:
+    """Check a layout of the page Data: its formulas, and whether its recordings are in the project."""
+    from jounce.analysis.formula_text import channels_in
+    from jounce.analysis.layouts import FOLDER, load_layout
+
+    layout = load_layout(check.file)
+    check.what = ", ".join(
+        f"{len(items)} {word}{'' if len(items) == 1 else 's'}"
+        for word, items in (
+            ("recording", layout.recordings),
+            ("graph", layout.graphs),
+            ("formula", layout.formulas),
+        )
+    )
+    for formula in layout.formulas:
+        with check.step():
+            try:
+                channels_in(formula.formula, [])
+            except DescriptionError as error:
+                raise DescriptionError(
+                    error.what,
+                    where=f"{check.file}: {formula.name} = {error.where}",
+                    found=error.found,
+                    allowed=error.allowed,
+                    hint=error.hint,
+                ) from None
+    folder = check.file.parent
+    project = folder.parent if folder.name == FOLDER else folder
+    for recording in layout.recordings:
+        if not (project / recording.path).is_file():
+            check.problems.append(
+                RecordingError(
+                    "no such file", where=f"{check.file}: recordings", found=recording.path
+                ).message()
+            )
+
+
 _SCHEMAS: dict[str, Callable[[FileCheck], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
@@ -523,4 +580,5 @@ _SCHEMAS: dict[str, Callable[[FileCheck], None]] = {
     "jounce.design/1": _check_design,
     "jounce.sweep/1": _check_sweep,
     "jounce.optimisation/1": _check_optimisation,
+    "jounce.layout/1": _check_layout,
 }

@@ -6,11 +6,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from jounce.analysis.layouts import MOST_RECORDINGS, TIME, Layout, layout_of, layout_text
 from jounce.core.optional import require
 from jounce.core.units import Unit
 from jounce.web import overlays
 from jounce.web.bodies import Route
-from jounce.web.layouts import MOST_RECORDINGS, TIME, Layout, layout_of, layout_text
 from jounce.web.project import Project
 from jounce.web.records import Records
 
@@ -48,7 +48,7 @@ class WindowRequest(_Asked):
 class AlignRequest(_Asked):
     """A recording to be shifted onto another, by their numbers in the layout, with a channel of both.
 
-    ``level`` of a rise or a fall is in the unit of the channel in the reference; ``maximum_shift`` is in s.
+    ``level`` of a rise or a fall is in the unit of the channel in the reference, ``maximum_shift`` in that of the axis.
     """
 
     reference: int = Field(ge=0, lt=MOST_RECORDINGS)

@@ -10,16 +10,16 @@ from typing import Any
 
 import numpy as np
 
+from jounce.analysis.layouts import TIME, Formula
 from jounce.core.errors import JounceError
 from jounce.core.phrases import german_of
 from jounce.core.units import unit_factor
-from jounce.web.layouts import TIME, Formula
 from jounce.web.levels import Levels, write_channel
 
 
 def stems_of(formulas: Sequence[Formula]) -> list[str]:
     """Return the names of the files that store the results; they change with what a formula uses of those above."""
-    from jounce.analysis.formula import channels_in
+    from jounce.analysis.formula_text import channels_in
 
     stems: dict[str, str] = {}
     for formula in formulas:
@@ -53,11 +53,16 @@ def with_formulas(
 
 
 def write_formulas(asked: Mapping[str, Any]) -> dict[str, int]:
-    """Compute the formulas that are not stored yet, each with those above it, and store them with their findings."""
+    """Compute the formulas of each record that are not stored yet, and store them with their findings."""
+    formulas = [Formula(**formula) for formula in asked["formulas"]]
+    records = asked["records"].items()
+    return {"computed": sum(_write(Path(folder), path, formulas) for path, folder in records)}
+
+
+def _write(folder: Path, path: str, formulas: Sequence[Formula]) -> int:
+    """Compute the formulas of a record, each with those above it; return how many were not stored."""
     from jounce.analysis.formula import evaluate_formula
 
-    folder, path = Path(asked["folder"]), str(asked["path"])
-    formulas = [Formula(**formula) for formula in asked["formulas"]]
     levels = Levels(folder, json.loads((folder / "about.json").read_text(encoding="utf-8")))
     own = unit_factor(levels.about["unit"], "s", where=path)
     time = own * levels.axis_values(TIME, 0, int(levels.about["count"]))
@@ -91,7 +96,7 @@ def write_formulas(asked: Mapping[str, Any]) -> dict[str, int]:
             state = {"problem": None, "unit": result.unit, "notes": notes}
         (folder / f"{stem}.json").write_text(json.dumps(state), encoding="utf-8")
         count += 1
-    return {"computed": count}
+    return count
 
 
 def _refused(text: str, german: str | None = None) -> dict[str, Any]:

@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from jounce.analysis.layouts import TIME, Layout
 from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.phrases import Phrase, german_of
 from jounce.core.types import Array
 from jounce.core.units import unit_factor
-from jounce.web.layouts import TIME, Layout
+from jounce.web.formulas import with_formulas
 from jounce.web.levels import Levels
 from jounce.web.records import Records, is_known_channel
 
@@ -91,10 +92,20 @@ class Trace:
 def tracks_of(records: Records, layout: Layout) -> list[Track]:
     """Open the recordings of a layout; those that cannot be shown say why."""
     tracks: list[Track] = []
+    opened: dict[str, Levels] = {}
+    refused: dict[str, JounceError] = {}
+    for path in dict.fromkeys(laid.path for laid in layout.recordings):
+        try:
+            opened[path] = records.open(path)
+        except JounceError as error:
+            refused[path] = error
+    refused |= records.compute(opened, layout.formulas)
     unit = ""
     for number, laid in enumerate(layout.recordings):
         try:
-            levels, formulas = records.compute(laid.path, records.open(laid.path), layout.formulas)
+            if laid.path in refused:
+                raise refused[laid.path]
+            levels, formulas = with_formulas(opened[laid.path], layout.formulas)
             unit = unit or ("s" if layout.axis == TIME else levels.unit(layout.axis))
             own = levels.about["unit"] if layout.axis == TIME else levels.unit(layout.axis)
             factor = unit_factor(own, unit, where=f"{laid.path}: {layout.axis}")
@@ -112,11 +123,14 @@ def traces_of(layout: Layout, tracks: Sequence[Track]) -> tuple[list[Trace], lis
     traces: list[Trace] = []
     problems: list[JounceError] = []
     shown = [(track, track.clock) for track in tracks if track.clock is not None]
+    computed = {
+        formula.name for formula in layout.formulas
+    }  # what is wrong with them is said there
     for number, graph in enumerate(layout.graphs):
         unit: str | None = None
         for order, channel in enumerate(graph.channels):
             having = [(track, clock) for track, clock in shown if channel in clock.levels.names]
-            if shown and not having:
+            if shown and not having and channel not in computed:
                 problems.append(
                     RecordingError(
                         Phrase("no recording has the channel {name!r}", name=channel),
@@ -310,26 +324,19 @@ def aligned(
     level: float | None = None,
     maximum_shift: float | None = None,
 ) -> dict[str, Any]:
-    """Return the shift of a recording on the axis of time that aligns it with another, and how well they agree.
+    """Return the shift of a recording on the common axis that aligns it with another, and how well they agree.
 
     The shift is absolute: that of the reference is added. Different rates are compared at the lower one.
     """
-    from jounce.analysis.alignment import coincident, correlated
+    from jounce.analysis.alignment import coincident, correlated, mean_rate
 
-    if layout.axis != TIME:
-        raise DescriptionError(
-            "recordings are aligned on time",
-            where="axis",
-            found=layout.axis,
-            hint="Choose time as the axis; on a distance, shift them by hand.",
-        )
     if reference == moved or max(reference, moved) >= len(tracks):
         raise DescriptionError(
             "these are not two recordings of the layout", where="reference, moved"
         )
     first, second = (_whole_track(tracks[number], channel) for number in (reference, moved))
     if by == "correlation":
-        lower = min((one.time.size - 1) / float(np.ptp(one.time)) for one in (first, second))
+        lower = mean_rate(first, second)
         found = correlated(first, second, maximum_shift=maximum_shift, resample=lower)
     else:
         clocks = [track.clock for track in (tracks[moved], tracks[reference])]
@@ -337,20 +344,23 @@ def aligned(
         factor = unit_factor(units[0], units[1], where=tracks[moved].path)
         second = replace(second, values=factor * second.values)
         found = coincident(first, second, by, level)
-    base = layout.recordings[reference].shifts.get(TIME, 0.0)
+    base = layout.recordings[reference].shifts.get(layout.axis, 0.0)
     return {**found.to_dict(), "shift": base + found.shift}
 
 
 def _whole_track(track: Track, channel: str) -> Any:
     from jounce.analysis.alignment import Track as Signal
+    from jounce.analysis.alignment import track_over
 
     if track.clock is None:
         raise track.problem or RecordingError("not shown", where=track.path)
-    levels = track.clock.levels
-    count = int(levels.about["count"])
-    time = track.clock.factor * levels.axis_values(TIME, 0, count)
-    values = np.asarray(levels.samples(channel), float)
-    return Signal(time, values, f"{track.path}: {channel}")
+    clock, where = track.clock, f"{track.path}: {channel}"
+    count = int(clock.levels.about["count"])
+    along = clock.factor * np.asarray(clock.levels.axis_values(clock.axis, 0, count), float)
+    values = np.asarray(clock.levels.samples(channel), float)
+    if clock.axis == TIME:
+        return Signal(along, values, where)
+    return track_over(along, values, where, clock.unit)
 
 
 def said(error: JounceError) -> dict[str, Any]:

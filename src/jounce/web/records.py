@@ -6,6 +6,7 @@ project's folder could show a different record.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import shutil
 import threading
@@ -15,14 +16,14 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from jounce.analysis.layouts import Formula
 from jounce.core.commands import command_line
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.files import state_of
 from jounce.core.writing import lasting_folder
 from jounce.web.answers import word
-from jounce.web.formulas import is_computed, stems_of, with_formulas
+from jounce.web.formulas import is_computed, stems_of
 from jounce.web.jobs import Jobs
-from jounce.web.layouts import Formula
 from jounce.web.level_store import digest_of_pieces, keep, restore, store_folder
 from jounce.web.levels import ABOUT, Levels
 from jounce.web.project import Project
@@ -67,21 +68,40 @@ class Records:
         return levels
 
     def compute(
-        self, path: str, levels: Levels, formulas: Sequence[Formula]
-    ) -> tuple[Levels, list[dict[str, Any]]]:
-        """Return a record with its computed channels, and the state of each formula; compute what is not stored."""
-        if not formulas:
-            return levels, []
-        with self._turn(levels.folder.name):
-            if not all(is_computed(levels.folder, stem) for stem in stems_of(formulas)):
-                question = {
-                    "kind": "formulas",
-                    "folder": str(levels.folder),
-                    "path": path,
-                    "formulas": [formula.model_dump() for formula in formulas],
-                }
-                self._ask(f"Computing channels of {path}", question)
-        return with_formulas(levels, formulas)
+        self, opened: Mapping[str, Levels], formulas: Sequence[Formula]
+    ) -> dict[str, JounceError]:
+        """Compute the formulas that are not stored yet, and return what failed, by record.
+
+        All records share one process. If that fails, such as for want of memory, each has a process of its own.
+        """
+        stems = stems_of(formulas)
+        failed: dict[str, JounceError] = {}
+        with contextlib.ExitStack() as turns:
+            for name in sorted({levels.folder.name for levels in opened.values()}):
+                turns.enter_context(self._turn(name))
+            lacking = {
+                path: levels
+                for path, levels in opened.items()
+                if not all(is_computed(levels.folder, stem) for stem in stems)
+            }
+            if len(lacking) > 1:
+                with contextlib.suppress(JounceError):
+                    self._compute(lacking, formulas)
+                    return {}
+            for path, levels in lacking.items():
+                try:
+                    self._compute({path: levels}, formulas)
+                except JounceError as error:
+                    failed[path] = error
+        return failed
+
+    def _compute(self, records: Mapping[str, Levels], formulas: Sequence[Formula]) -> None:
+        question = {
+            "kind": "formulas",
+            "records": {path: str(levels.folder) for path, levels in records.items()},
+            "formulas": [formula.model_dump() for formula in formulas],
+        }
+        self._ask(f"Computing channels of {', '.join(records)}", question)
 
     def reading(self) -> list[dict[str, Any]]:
         """Return the records that are being read: path, the share that is read if known, and time so far in s."""

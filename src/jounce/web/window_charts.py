@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.analysis.layouts import TIME, Graph, Layout
 from jounce.core.errors import DescriptionError, JounceError
 from jounce.core.types import Array
 from jounce.core.units import unit_factor
-from jounce.web.layouts import TIME, Graph, Layout
 from jounce.web.overlays import ROLES, Trace, Track, said, samples_within, traces_of
 
 if TYPE_CHECKING:

@@ -98,3 +98,27 @@ def test_events_are_found_between_samples() -> None:
         jn.align_by_event(first, second, "speed", "rise")
     with pytest.raises(JounceError, match="unknown event 'jump'"):
         jn.align_by_event(first, second, "speed", "jump")
+
+
+def test_recordings_are_aligned_along_a_distance() -> None:
+    t = np.arange(0.0, 30.0, 0.01)
+    ways = (10.0 * t + 0.05 * t**2, 12.0 * t)
+    runs = [
+        jn.recording(
+            t,
+            {
+                "sprung.az": (road(0.1 * (way + start)), "m/s^2", ""),
+                "distance": (way, "m", ""),
+            },
+        )
+        for way, start in zip(ways, (0.0, 17.0), strict=True)
+    ]
+    found = jn.align_by_correlation(*runs, "sprung.az", axis="distance")
+    assert found.shift == pytest.approx(17.0, abs=0.02)
+    assert found.unit == "m"
+    assert found.correlation > 0.99
+    assert "m" in str(found)
+    event = jn.align_by_event(*runs, "sprung.az", "maximum", axis="distance")
+    assert event.shift == pytest.approx(17.0, abs=0.5)
+    with pytest.raises(JounceError, match="the channel is no axis: it descends or has gaps"):
+        jn.align_by_correlation(*runs, "sprung.az", axis="sprung.az")

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from jounce.analysis.formula import ComputedChannel, channels_in, evaluate_formula
+from jounce.analysis.formula import ComputedChannel, evaluate_formula
+from jounce.analysis.formula_text import channels_in
 from jounce.core.errors import JounceError
 
 RATE = 1000.0

@@ -12,9 +12,9 @@ import pytest
 from jounce.core.errors import JounceError
 
 pytest.importorskip("fastapi")
+from jounce.analysis.layouts import Layout, layout_of, layout_text
 from jounce.web import overlays
 from jounce.web.jobs import Jobs
-from jounce.web.layouts import Layout, layout_of, layout_text
 from jounce.web.project import Project
 from jounce.web.records import Records
 
@@ -177,6 +177,39 @@ def test_formulas_are_computed_once_for_each_recording(records: Records) -> None
     assert "has a channel of this name" in taken[0].formulas[0]["problem"]["text"]
 
 
+def test_formulas_of_all_recordings_are_computed_in_one_process(
+    records: Records, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+    ask = records._ask
+
+    def counted(title: str, question: dict[str, Any]) -> None:
+        asked.append(sorted(question["records"]))
+        if len(question["records"]) > 1 and len(asked) > 1:
+            raise JounceError("more memory than allowed")
+        ask(title, question)
+
+    for path in ("dense.csv", "sparse.csv"):
+        records.open(path)
+    monkeypatch.setattr(records, "_ask", counted)
+    for factor in (3, 5):  # together; then, as that fails, each alone
+        shown = layout(formulas=[{"name": "more", "formula": f"{factor} * distance"}])
+        tracks = overlays.tracks_of(records, shown)
+        assert [track.formulas[0]["problem"] for track in tracks] == [None, None]
+    both = ["dense.csv", "sparse.csv"]
+    assert asked == [both, both, *([path] for path in both)]
+
+
+def test_a_faulty_formula_is_named_once(records: Records) -> None:
+    shown = layout(
+        formulas=[{"name": "more", "formula": "nothing + 1"}], graphs=[{"channels": ["more"]}]
+    )
+    tracks = overlays.tracks_of(records, shown)
+    _, problems = overlays.traces_of(shown, tracks)
+    assert problems == []
+    assert "no channel 'nothing'" in tracks[0].formulas[0]["problem"]["text"]
+
+
 def test_recordings_are_aligned_onto_shifted_ones(records: Records) -> None:
     rng = np.random.default_rng(8)
     bumps = np.interp(np.arange(0.0, 60.0, 0.01), np.arange(0.0, 61.0, 0.5), rng.normal(size=122))
@@ -195,8 +228,33 @@ def test_recordings_are_aligned_onto_shifted_ones(records: Records) -> None:
     assert np.isfinite(event["shift"])
     with pytest.raises(JounceError, match="these are not two recordings"):
         overlays.aligned(shown, tracks, 0, 0, "az", by="start")
-    with pytest.raises(JounceError, match="recordings are aligned on time"):
-        overlays.aligned(layout(axis="distance"), tracks, 0, 1, "az", by="start")
+
+
+def test_recordings_are_aligned_along_a_distance(records: Records) -> None:
+    rng = np.random.default_rng(9)
+    places = np.arange(0.0, 400.0, 5.0)
+    road = np.interp(np.arange(0.0, 390.0, 0.05), places, rng.normal(size=places.size))
+
+    def height(x: np.ndarray) -> np.ndarray:
+        return np.interp(x, np.arange(0.0, 390.0, 0.05), road)
+
+    t = np.arange(0.0, 12.0, 0.005)
+    slow = np.maximum(0.0, 20.0 * t + 0.4 * t**2 - 20.0)  # it stands still at first
+    fast = 22.0 * t + 2.0 * np.sin(t)
+    write(records.project.root / "slow.csv", t, az_IN_g=height(slow + 30.0), way_IN_m=slow)
+    write(records.project.root / "fast.csv", t, az_IN_g=height(fast + 55.0), way_IN_km=1e-3 * fast)
+    shown = layout(
+        axis="way", recordings=[{"path": "slow.csv", "shifts": {"way": 3.0}}, {"path": "fast.csv"}]
+    )
+    tracks = overlays.tracks_of(records, shown)
+    found = overlays.aligned(shown, tracks, 0, 1, "az", by="correlation")
+    assert found["shift"] == pytest.approx(3.0 + 25.0, abs=0.1)
+    assert found["correlation"] > 0.98
+    assert found["unit"] == "m"
+    start = overlays.aligned(shown, tracks, 0, 1, "az", by="start")
+    assert start["shift"] == pytest.approx(3.0)
+    with pytest.raises(JounceError, match="the recordings are not alike"):
+        overlays.aligned(shown, tracks, 0, 1, "az", by="correlation", maximum_shift=1.0)
 
 
 def charted(records: Records, **chart: Any) -> tuple[Any, dict[str, Any]]:

@@ -4,7 +4,9 @@ import { make, written } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import type { Laid } from "./laid";
+import { numberBox } from "./numberbox";
 import { field, once, select } from "./parts";
+import { unitText } from "./quantities";
 import { problem } from "./refusals";
 
 interface Aligned {
@@ -29,11 +31,11 @@ export class Aligning {
   private readonly reference = select([]);
   private readonly channel = select([]);
   private readonly by = select(Object.keys(WAYS), "correlation", (way) => tr(WAYS[way]!));
-  private readonly level = make("input", { type: "number", step: "any", value: "0" });
-  private readonly most = make("input", { type: "number", step: "any", min: "0" });
+  private readonly level = numberBox({ step: "any", value: "0" });
+  private readonly most = numberBox({ step: "any", min: "0" });
   private readonly said = make("p", { class: "state", role: "status" });
   private readonly levelField = field(tr("Level"), this.level);
-  private readonly mostField = field(tr("Largest shift [s]"), this.most, tr("empty: any"));
+  private readonly mostField = field(tr("Largest shift"), this.most, tr("empty: any"));
   readonly element: HTMLElement;
 
   constructor(private readonly laid: Laid) {
@@ -64,6 +66,8 @@ export class Aligning {
   show(): void {
     const { layout, tracks } = this.laid,
       { recordings } = layout;
+    this.mostField.querySelector("span")!.textContent =
+      `${tr("Largest shift")} [${unitText(this.laid.unit) || "–"}]`;
     this.element.hidden = recordings.length < 2;
     const options = (
       place: HTMLSelectElement,
@@ -111,17 +115,20 @@ export class Aligning {
           : { maximum_shift: this.most.valueAsNumber }),
       });
       const aligned = (await answer.json()) as Aligned;
-      layout.recordings[moved]!.shifts.time = Number(aligned.shift.toFixed(6));
+      const { unit } = this.laid,
+        shown = unitText(unit),
+        rate = unit === "s" ? "Hz" : `1/${shown || "–"}`;
+      layout.recordings[moved]!.shifts[layout.axis] = Number(aligned.shift.toFixed(6));
       this.laid.changed();
       this.said.textContent =
-        `${tr("Shifted by # s.", written(aligned.shift, 6))} ` +
+        `${tr("Shifted by #.", `${written(aligned.shift, 6)} ${shown}`.trim())} ` +
         (aligned.correlation === null
           ? ""
           : `${tr("Correlation #", written(aligned.correlation, 3))}${
               aligned.next_best === null
                 ? ""
                 : `, ${tr("next best peak #", written(aligned.next_best, 3))}`
-            }, ${tr("compared at # Hz", written(aligned.rate, 4))}.`);
+            }, ${tr("compared at #", `${written(aligned.rate, 4)} ${rate}`)}.`);
     } catch (error) {
       this.said.replaceChildren(problem(error));
     }

@@ -5,6 +5,7 @@ import { tr } from "../words";
 import { fill } from "./filled";
 import type { Laid } from "./laid";
 import { MOST_CHANNELS, MOST_GRAPHS } from "./layout";
+import { unitText } from "./quantities";
 
 const MOST = 200; // in the list: more are not read but searched
 
@@ -43,7 +44,7 @@ export class ChannelList {
     for (const { channels } of tracks)
       for (const { name, unit } of channels) if (!units.has(name)) units.set(name, unit);
     for (const { channels } of graphs)
-      for (const name of channels) if (!units.has(name)) units.set(name, tr("missing"));
+      for (const name of channels) if (!units.has(name)) units.set(name, this.state(name));
     const words = this.filter.value.toLowerCase().split(/\s+/);
     const fitting = [...units].filter(([name]) =>
       words.every((word) => name.toLowerCase().includes(word)),
@@ -60,7 +61,7 @@ export class ChannelList {
           { type: "button", "aria-pressed": String(inside.length > 0) },
           make("span", {}, name),
           " ",
-          make("small", {}, [unit || "–", ...inside.map((k) => `#${k}`)].join("  ")),
+          make("small", {}, [unitText(unit) || "–", ...inside.map((k) => `#${k}`)].join("  ")),
         );
         button.addEventListener("click", () => this.toggle(name));
         return make("li", {}, button);
@@ -69,6 +70,16 @@ export class ChannelList {
         ? [make("li", { class: "muted" }, tr("# more", String(fitting.length - MOST)))]
         : []),
     );
+  }
+
+  /** Why a channel of a graph has no curve. */
+  private state(name: string): string {
+    const { layout, tracks } = this.laid;
+    if (!layout.formulas.some((formula) => formula.name === name)) return tr("missing");
+    const isRefused = tracks.some(({ formulas }) =>
+      formulas.some((formula) => formula.name === name && formula.problem),
+    );
+    return isRefused ? tr("faulty") : tr("computing …");
   }
 
   /** Puts a channel into the chosen graph, or takes it out of all. */

@@ -3,6 +3,7 @@
 import { make, written } from "../page";
 import { isGerman, tr } from "../words";
 import * as api from "./api";
+import { numberBox } from "./numberbox";
 import { field, once, problem, type Sliders } from "./parts";
 import { part } from "./quantities";
 import { Refused } from "./refusals";
@@ -53,7 +54,7 @@ export function designing(
     make("input", { type: "checkbox", value: name, checked: /tie_rod|link_5/.test(name) }),
   );
   const within = make("input", { type: "text", value: "15 mm" }),
-    starts = make("input", { type: "number", min: "1", max: "100", value: "4" }),
+    starts = numberBox({ min: "1", max: "100", value: "4" }),
     out = make("div", { "aria-live": "polite" });
   const begin = make("button", { type: "submit", class: "main" }, tr("Search"));
   const form = make(

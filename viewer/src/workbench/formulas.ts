@@ -18,10 +18,17 @@ const EXAMPLES: [formula: string, words: string][] = [
 const FUNCTIONS =
   "abs sqrt exp log log10 sin cos tan asin acos atan atan2 sign min max clip where mean rms std minimum maximum first last derivative integral lowpass highpass bandpass smooth delay detrend";
 
+/** A message without the recording that it begins with. */
+const without = (path: string, text: string) =>
+  text.startsWith(`${path}: `) ? text.slice(path.length + 2) : text;
+
 export class FormulaList {
   private readonly list = make("ul", { class: "formulas" });
   private readonly other = make("select", { "aria-label": tr("Take the formulas of a layout") });
   readonly element: HTMLElement;
+  private readonly said = new Map<string, HTMLElement>();
+  private answered = new Set<string>();
+  private isWaiting = false;
 
   constructor(
     private readonly laid: Laid,
@@ -63,8 +70,18 @@ export class FormulaList {
     );
   }
 
+  /** Says of formulas without an answer that they are computed, until it comes. */
+  wait(isWaiting: boolean): void {
+    this.isWaiting = isWaiting;
+    const { formulas } = this.laid.layout;
+    if (!isWaiting) this.answered = new Set(formulas.map((formula) => JSON.stringify(formula)));
+    for (const formula of formulas)
+      this.said.get(formula.name)?.replaceChildren(...this.states(formula));
+  }
+
   show(): void {
     const { formulas } = this.laid.layout;
+    this.said.clear();
     fill(
       this.list,
       ...formulas.map((formula, k) => {
@@ -98,6 +115,8 @@ export class FormulaList {
           this.rename("name", formula.name, "");
           this.laid.changed();
         });
+        const said = make("div", { "aria-live": "polite" }, ...this.states(formula));
+        this.said.set(formula.name, said);
         return make(
           "li",
           {},
@@ -110,7 +129,7 @@ export class FormulaList {
             box("unit", "unit of formula #", this.unit(formula.name) || tr("SI unit")),
             remove,
           ),
-          ...this.states(formula.name),
+          said,
         );
       }),
     );
@@ -130,21 +149,32 @@ export class FormulaList {
     return "";
   }
 
-  /** What is wrong with a formula, or worth knowing; the same in several recordings is said once. */
-  private states(name: string): HTMLElement[] {
-    const found = new Map<string, HTMLElement>();
-    for (const { formulas } of this.laid.tracks)
+  /** What is wrong with a formula, or worth knowing; the same in all recordings is said once, without their names. */
+  private states(formula: Layout["formulas"][number]): HTMLElement[] {
+    if (this.isWaiting && !this.answered.has(JSON.stringify(formula)))
+      return [make("p", { class: "computing" }, tr("computing …"))];
+    const { tracks } = this.laid,
+      said = new Map<string, { kind: string; german: string | null; paths: string[] }>();
+    for (const { path, formulas } of tracks)
       for (const state of formulas) {
-        if (state.name !== name) continue;
-        if (state.problem)
-          found.set(
-            state.problem.text,
-            make("p", { class: "problem" }, asSaid(state.problem.text, state.problem.german)),
-          );
-        for (const { text, german } of state.notes)
-          found.set(text, make("p", { class: "notice" }, asSaid(text, german)));
+        if (state.name !== formula.name) continue;
+        const texts = state.problem ? [state.problem, ...state.notes] : state.notes;
+        for (const one of texts) {
+          const text = without(path, one.text),
+            kind = one === state.problem ? "problem" : "notice",
+            german = one.german && without(path, one.german);
+          const { paths } = said.get(text) ?? { paths: [] };
+          said.set(text, { kind, german, paths: [...paths, path] });
+        }
       }
-    return [...found.values()];
+    return [...said].map(([text, { kind, german, paths }]) =>
+      make(
+        "p",
+        { class: kind },
+        ...(paths.length < tracks.length ? [`${paths.join(", ")}: `] : []),
+        asSaid(text, german),
+      ),
+    );
   }
 
   /** Graphs follow the name of a formula. */

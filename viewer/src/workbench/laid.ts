@@ -3,6 +3,7 @@
 import { written } from "../page";
 import { localised, tr } from "../words";
 import type { Layout } from "./layout";
+import { unitText } from "./quantities";
 
 export interface Said {
   text: string;
@@ -23,6 +24,7 @@ export interface Track {
 export interface Laid {
   layout: Layout;
   tracks: Track[];
+  /** Unit of the common axis. */
   unit: string;
   /** The layout was changed: everything follows. */
   changed(): void;
@@ -31,5 +33,5 @@ export interface Laid {
 /** Number of a recording's samples and where it lies, in words. */
 export const extent = ({ count, ends }: Track, unit: string): string =>
   ends
-    ? `${tr("# samples", localised(String(count)))}, ${written(ends[0], 6)} … ${written(ends[1], 6)} ${unit}`
+    ? `${tr("# samples", localised(String(count)))}, ${written(ends[0], 6)} … ${written(ends[1], 6)} ${unitText(unit)}`
     : "";

@@ -22,7 +22,7 @@ export interface Chart {
   across: string;
   bins: number;
 }
-/** The same as `jounce.web.layouts.Layout`. */
+/** The same as `jounce.analysis.layouts.Layout`. */
 export interface Layout {
   schema: "jounce.layout/1";
   recordings: LaidRecording[];

@@ -56,7 +56,7 @@ function onThisPage(): Goal[] {
         go: () => element.click(), // also of those behind a button
       }),
     ),
-    ...of(".field > :is(input, select), .slider input[type=number]").map((element) => ({
+    ...of(".field > :is(input, select), .slider input.number").map((element) => ({
       words:
         element.getAttribute("aria-label") ??
         words(element.closest(".field")!.firstElementChild ?? element),

@@ -7,6 +7,7 @@ import { tr } from "../words";
 import type { Answer, OfRig, Rig, RigNumber } from "./api";
 import { pinnedCurves, savable } from "./curves";
 import { mayLeave } from "./drafts";
+import { numberBox } from "./numberbox";
 import { inWords } from "./quantities";
 
 export { problem } from "./refusals";
@@ -235,6 +236,13 @@ export class Steps<T> {
     });
   }
 
+  /** Takes what `change` does as part of the step before, so that Undo never stops between both. */
+  amend(change: () => void): void {
+    this.take();
+    change();
+    this.now = JSON.stringify(this.state());
+  }
+
   /** Notes a possible change; it becomes a step after a pause. */
   changed(): void {
     clearTimeout(this.timer);
@@ -377,8 +385,7 @@ export class Sliders {
       value: text,
       "aria-label": name,
     });
-    const number = make("input", {
-      type: "number",
+    const number = numberBox({
       step: "any",
       value: text,
       "aria-label": `${name}, ${tr("typed")}`,

@@ -3,6 +3,7 @@
 import type { MechanismView } from "../mechanism";
 import { make } from "../page";
 import { tr } from "../words";
+import { numberBox } from "./numberbox";
 import { field } from "./parts";
 import { part } from "./quantities";
 
@@ -13,7 +14,7 @@ export class Points {
   readonly element = make("div", { class: "points form" });
   private readonly choice = make("select", { "aria-label": tr("Hardpoint") });
   private readonly inputs = ["x", "y", "z"].map((axis) =>
-    make("input", { type: "number", step: "any", "aria-label": `${axis} [mm]` }),
+    numberBox({ step: "any", "aria-label": `${axis} [mm]` }),
   );
   private readonly snap = make(
     "select",

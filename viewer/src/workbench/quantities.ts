@@ -34,6 +34,16 @@ const UNITS = generated.units as unknown as Record<string, Unit>;
 /** Display unit of an SI unit, and the factor to it. */
 export const shownUnit = (si: string): Unit => UNITS[si] ?? [si, 1];
 
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+/** A unit as a file writes it, with raised powers and dots. */
+export const unitText = (unit: string): string =>
+  unit
+    .replace(
+      /(?:\^|\*\*)(-?)(\d)(?!\d)/g,
+      (_, sign, digit) => (sign && "⁻") + RAISED[Number(digit)],
+    )
+    .replaceAll("*", "·");
+
 /** A quantity of the catalogue as a head names it; of an axle, with its side. */
 export function quantity(name: string): string {
   const [side, own] = /^(left|right)\.(.*)$/.exec(name)?.slice(1) ?? ["", name];

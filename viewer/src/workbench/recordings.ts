@@ -5,6 +5,9 @@ import { tr } from "../words";
 import { fill } from "./filled";
 import { extent, type Laid } from "./laid";
 import { MOST_RECORDINGS } from "./layout";
+import { numberBox } from "./numberbox";
+
+import { unitText } from "./quantities";
 
 export const ROLES = ["after", "other-5", "other-1", "other-2", "other-3", "other-6"];
 
@@ -40,8 +43,7 @@ export class RecordingList {
           recording.shown = shown.checked;
           this.laid.changed();
         });
-        const shift = make("input", {
-          type: "number",
+        const shift = numberBox({
           step: "any",
           value: String(recording.shifts[axis] ?? 0),
           "aria-label": tr("shift of #", recording.path),
@@ -84,7 +86,7 @@ export class RecordingList {
             { class: "muted" },
             track?.problem ? tr("not shown") : track ? extent(track, unit) : "",
           ),
-          make("label", { class: "shift" }, `${tr("Shift")} `, shift, ` ${unit || "–"}`),
+          make("label", { class: "shift" }, `${tr("Shift")} `, shift, ` ${unitText(unit) || "–"}`),
         );
       }),
     );

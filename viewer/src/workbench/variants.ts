@@ -2,6 +2,7 @@
 
 import { colour, make, sized, whenColoursChange, written } from "../page";
 import { heard, tr } from "../words";
+import { numberBox } from "./numberbox";
 import { svg } from "./picture";
 import { type Cell, table } from "./table";
 
@@ -217,8 +218,7 @@ export function ranges(brushes: Brushes): HTMLElement {
   const cells = brushes.columns.map((column, k) => {
     const [low, high] = ends(column.values);
     const inputs = ["from", "to"].map((word) =>
-      make("input", {
-        type: "number",
+      numberBox({
         step: "any",
         "aria-label": `${column.name}, ${word} [${column.unit || "–"}]`,
         placeholder: written(word === "from" ? low : high, 4),

@@ -4,7 +4,9 @@ import { make, written } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import type { Laid } from "./laid";
+import { numberBox } from "./numberbox";
 import type { Newest } from "./parts";
+import { unitText } from "./quantities";
 import { ROLES } from "./recordings";
 import { row, table } from "./table";
 
@@ -37,8 +39,7 @@ const DIGITS = 5;
 
 export class WindowTable {
   private readonly inputs = (["A", "B"] as const).map((name) =>
-    make("input", {
-      type: "number",
+    numberBox({
       step: "any",
       "aria-label": tr(name === "A" ? "cursor A" : "cursor B"),
     }),
@@ -135,7 +136,7 @@ export class WindowTable {
       many = new Set(rows.map((row) => row.recording)).size > 1;
     this.state.textContent = "";
     this.state.classList.remove("problem");
-    this.apart.textContent = `B − A = ${written(difference, DIGITS)} ${unit}${
+    this.apart.textContent = `B − A = ${written(difference, DIGITS)} ${unitText(unit)}${
       rate === null ? "" : ` (${written(rate, 4)} Hz)`
     }`;
     this.body.replaceChildren(
@@ -147,7 +148,7 @@ export class WindowTable {
           [
             [
               make("i", { class: `swatch ${role}${many && one.order ? " dashed" : ""}` }),
-              `${one.channel} [${one.unit || "–"}]`,
+              `${one.channel} [${unitText(one.unit) || "–"}]`,
               ...(many ? [make("small", { class: "muted" }, ` ${name}`)] : []),
             ],
             written(one.a, DIGITS),

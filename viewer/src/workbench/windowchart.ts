@@ -7,7 +7,9 @@ import { tr } from "../words";
 import * as api from "./api";
 import type { Laid, Said } from "./laid";
 import type { Chart } from "./layout";
+import { numberBox } from "./numberbox";
 import { field, Newest, select } from "./parts";
+import { unitText } from "./quantities";
 import { asSaid } from "./refusals";
 import { saveChart } from "./saving";
 
@@ -26,6 +28,7 @@ interface Beside {
   figures: Figure[];
 }
 
+const PATIENCE = 400; // ms of waiting for a chart, until the page says that it is computed
 const KINDS: Record<Chart["kind"], string> = {
   "": "none",
   spectrum: "spectrum",
@@ -39,7 +42,7 @@ export class WindowChart {
   );
   private readonly channel = select([]);
   private readonly across = select([]);
-  private readonly bins = make("input", { type: "number", min: "5", max: "200", step: "1" });
+  private readonly bins = numberBox({ min: "5", max: "200", step: "1" });
   private readonly channelField = field(tr("Channel"), this.channel);
   private readonly acrossField = field(tr("Horizontal axis"), this.across);
   private readonly binsField = field(tr("Bins"), this.bins);
@@ -138,6 +141,10 @@ export class WindowChart {
         this.notes.replaceChildren();
         return;
       }
+      const waiting = setTimeout(
+        () => this.notes.replaceChildren(make("p", { class: "computing" }, tr("computing …"))),
+        PATIENCE,
+      );
       try {
         const store = Store.of(
           await api.binary("/api/data/chart", {
@@ -158,6 +165,8 @@ export class WindowChart {
         this.notes.replaceChildren(
           make("p", { class: "problem" }, error instanceof Error ? error.message : String(error)),
         );
+      } finally {
+        clearTimeout(waiting);
       }
     });
   }
@@ -171,7 +180,11 @@ export class WindowChart {
       ...beside.notes.map(({ text, german }) =>
         make("p", { class: "problem" }, asSaid(text, german)),
       ),
-      ...beside.figures.map((figure) => make("p", { class: "muted" }, this.words(figure))),
+      make(
+        "ul",
+        { class: "figures muted" },
+        ...beside.figures.map((figure) => make("li", {}, this.words(figure))),
+      ),
     );
     if (!pane?.curves.length) {
       this.plots.clear();
@@ -180,14 +193,14 @@ export class WindowChart {
     const words = kind === "spectrum" ? tr("frequency") : viewer.x.words;
     this.plots.show({
       x,
-      xLabel: `${words} [${viewer.x.unit || "–"}]`,
+      xLabel: `${words} [${unitText(viewer.x.unit) || "–"}]`,
       spans: [],
       window: kind === "spectrum" ? [0, Math.min(60, x[x.length - 1] as number)] : null,
       panes: [
         {
           name: pane.name,
           title: pane.name,
-          unit: pane.unit,
+          unit: unitText(pane.unit),
           lines: pane.curves.map((curve) => ({
             label: curve.label,
             role: curve.role,

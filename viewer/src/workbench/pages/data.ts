@@ -14,6 +14,7 @@ import type { Laid, Said, Track } from "../laid";
 import { emptyLayout, type Layout, packed, unpacked, whole as wholeLayout } from "../layout";
 import { LayoutBar } from "../layouts";
 import { LiveSnippets, Newest, Steps, select } from "../parts";
+import { unitText } from "../quantities";
 import { whileReading } from "../readings";
 import { RecordingList } from "../recordings";
 import { asSaid } from "../refusals";
@@ -33,6 +34,7 @@ interface Beside {
 
 const DASHES = [undefined, [8, 4], [2, 3], [10, 3, 2, 3], [5, 2], [1, 2]];
 const PAUSE = 300, // ms without a change, until the address follows
+  PATIENCE = 400, // ms of waiting for curves, until the page says that they are computed
   LOOKS = 5000; // ms between two looks at the files
 
 export async function show(place: HTMLElement, values: Values): Promise<void> {
@@ -52,6 +54,7 @@ class DataPage implements Laid {
   private readonly newest = new Newest();
   private readonly measuring = new Newest();
   private readonly state = make("p", { class: "state", role: "status" });
+  private readonly computing = make("span", { class: "computing", role: "status" });
   private readonly problems = make("div", { "aria-live": "polite" });
   private readonly notices = make("div", { "aria-live": "polite" });
   private readonly readings = make("div");
@@ -181,9 +184,10 @@ class DataPage implements Laid {
     layout ??= emptyLayout();
     if (path && !layout.recordings.some((recording) => recording.path === path))
       layout.recordings.push({ path, shown: true, shifts: {} });
-    this.layout = wholeLayout(layout);
+    this.steps.amend(() => {
+      this.layout = wholeLayout(layout);
+    });
     await this.refresh();
-    this.steps.changed();
   }
 
   /** Shows another layout. */
@@ -272,6 +276,11 @@ class DataPage implements Laid {
       const since = performance.now(),
         { window } = this.layout,
         aside = window ? (window[1] - window[0]) / 2 : 0;
+      const waiting = setTimeout(() => {
+        this.computing.textContent = tr("computing …");
+        this.formulas.wait(true);
+        this.channels.show();
+      }, PATIENCE);
       try {
         const store = Store.of(
           await whileReading(
@@ -294,6 +303,11 @@ class DataPage implements Laid {
       } catch (error) {
         this.state.textContent = error instanceof Error ? error.message : String(error);
         this.state.classList.add("problem");
+      } finally {
+        clearTimeout(waiting);
+        this.computing.textContent = "";
+        this.formulas.wait(false);
+        this.channels.show();
       }
     });
   }
@@ -325,14 +339,14 @@ class DataPage implements Laid {
       this.plots.show(
         {
           x: store.get(scene.x),
-          xLabel: `${this.layout.axis === "time" ? tr("time") : this.layout.axis} [${this.unit || "–"}]`,
+          xLabel: `${this.layout.axis === "time" ? tr("time") : this.layout.axis} [${unitText(this.unit) || "–"}]`,
           spans: [],
           window: null,
           whole: beside.whole,
           panes: scene.panes.map((pane, k) => ({
             name: pane.name,
             title: pane.name,
-            unit: pane.unit,
+            unit: unitText(pane.unit),
             lines: pane.curves.map((curve, i) => {
               const dash = DASHES[beside.curves[k]![i]!.dash];
               return {
@@ -361,8 +375,11 @@ class DataPage implements Laid {
     const isNew = !layout.graphs.length && !layout.cursors;
     if (!first || !(isNew || this.isRenewed)) return false;
     this.isRenewed = false;
-    if (isNew) layout.graphs = first.channels.slice(0, 3).map(({ name }) => ({ channels: [name] }));
-    layout.cursors = [this.rounded(low + (high - low) / 3), this.rounded(high - (high - low) / 3)];
+    this.steps.amend(() => {
+      if (isNew)
+        layout.graphs = first.channels.slice(0, 3).map(({ name }) => ({ channels: [name] }));
+      layout.cursors = this.thirds(low, high);
+    });
     void this.refresh();
     return true;
   }
@@ -453,7 +470,7 @@ class DataPage implements Laid {
         "div",
         { class: "bar" },
         make("label", { class: "group" }, `${tr("Over")} `, this.axis),
-        make("span", { class: "grow" }),
+        make("span", { class: "grow" }, this.computing),
         make("div", { class: "group" }, ...zooms),
         saveChart(plots.element, () => this.layout.recordings.map(({ path }) => path).join(", ")),
       ),

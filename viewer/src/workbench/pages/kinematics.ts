@@ -10,6 +10,7 @@ import { Against, type Differences, Differing } from "../comparing";
 import { designing, type Target } from "../designing";
 import { Drafts, moment } from "../drafts";
 import { type Band, Multiples } from "../multiples";
+import { numberBox } from "../numberbox";
 import {
   difference,
   field,
@@ -48,7 +49,7 @@ interface Extra {
 /** One of travel, rack and roll: a range where it is swept, and a slider of the pose. */
 class Drive {
   readonly slider = make("input", { type: "range", step: "any" });
-  readonly number = make("input", { type: "number", step: "any", value: "0" });
+  readonly number = numberBox({ step: "any", value: "0" });
   readonly range = make("input", { type: "text", spellcheck: "false" });
   readonly element: HTMLElement;
   constructor(

@@ -19,6 +19,7 @@ import {
   titled,
   whole,
 } from "../jobs";
+import { numberBox } from "../numberbox";
 import { field, once, problem, select, snippets, textBox } from "../parts";
 import { line, plane, svg } from "../picture";
 import { inWords, MERITS, shownUnit } from "../quantities";
@@ -67,7 +68,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     changes = given<Record<string, number | string>>(values.get("set"));
   const speed = textBox(values.get("speed") ?? "20 m/s"),
     duration = textBox(values.get("duration") ?? "20 s"),
-    seed = make("input", { type: "number", min: "0", value: "0" });
+    seed = numberBox({ min: "0", value: "0" });
   const controls = make(
     "fieldset",
     { class: "free" },
@@ -359,7 +360,7 @@ function pareto(
       "iso:C",
     ),
     speed = textBox("20 m/s"),
-    points = make("input", { type: "number", min: "2", max: "200", value: "12" });
+    points = numberBox({ min: "2", max: "200", value: "12" });
   const rows = make("div", {}),
     paths = make("datalist", { id: "paths-that-are-free" }),
     said = make("div", { "aria-live": "polite" });

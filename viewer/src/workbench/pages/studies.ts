@@ -5,6 +5,7 @@ import { heard, tr } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered } from "../drafts";
 import { begin, follow, JobCard, jobList, report, type Whole, whole } from "../jobs";
+import { numberBox } from "../numberbox";
 import { OBSTACLES, USUAL } from "../obstacles";
 import { field, once, problem, select, snippets, textBox } from "../parts";
 import { advised, asSaid } from "../refusals";
@@ -135,8 +136,8 @@ async function writer(rigs: string[], chosen: string): Promise<HTMLElement> {
   const rows = make("tbody", {}),
     paths = make("datalist", { id: "paths-of-the-rig" });
   const design = select(Object.keys(DESIGNS), "sobol", (kind) => DESIGNS[kind]![0]);
-  const count = make("input", { type: "number", min: "1", value: "256" }),
-    seed = make("input", { type: "number", min: "0", value: "0" });
+  const count = numberBox({ min: "1", value: "256" }),
+    seed = numberBox({ min: "0", value: "0" });
   const metrics = make("input", {
     type: "text",
     size: "34",

@@ -3,17 +3,28 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
+from tomllib import TOMLDecodeError
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from jounce.core.description import Description, Whole
+from jounce.core.description import (
+    Description,
+    Whole,
+    check_schema,
+    read_description,
+    toml_error,
+    toml_table,
+)
 from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import Unit
 
 SCHEMA: Literal["jounce.layout/1"] = "jounce.layout/1"
 TIME = "time"
+FOLDER = "layouts"
+"""Folder of a project with its layouts; paths of recordings begin at the project."""
 Number = Annotated[float, Unit("1")]
 Span = tuple[Number, Number]
 Text = Annotated[str, Field(max_length=400)]
@@ -109,28 +120,19 @@ def layout_text(layout: Layout) -> str:
     return tomlkit.dumps({"schema": SCHEMA, **_without_nothing(plain)})
 
 
+def load_layout(file: Path) -> Layout:
+    """Read a layout from its file; an error names what is wrong in it, with its line."""
+    return read_description(Layout, file, SCHEMA)[0]
+
+
 def layout_of(text: str, where: str) -> dict[str, Any]:
     """Return the layout in the text of a file as plain data; an error names what is wrong in it."""
-    from tomllib import TOMLDecodeError
-
-    from jounce.core.description import check_schema, toml_error, toml_table
-    from jounce.core.errors import DescriptionError
-
     try:
         table = toml_table(text)
     except TOMLDecodeError as error:
         raise toml_error(error, where) from None
     check_schema(table, (SCHEMA,), where)
-    try:
-        return Layout(**table).model_dump(mode="json", by_alias=True)
-    except DescriptionError as error:
-        raise DescriptionError(
-            error.what,
-            where=f"{where}: {error.where}".removesuffix(": "),
-            found=error.found,
-            allowed=error.allowed,
-            hint=error.hint,
-        ) from None
+    return Layout.from_table(table, where=where, text=text).model_dump(mode="json", by_alias=True)
 
 
 def _without_nothing(plain: dict[str, Any]) -> dict[str, Any]:
