@@ -81,9 +81,9 @@ def visit(engine: Engine, page: str) -> None:
 
 
 def press(engine: Engine, words: str) -> None:
-    engine.evaluate(
-        f"[...document.querySelectorAll('button')].find((one) => one.textContent === {json.dumps(words)}).click()"
-    )
+    button = f"[...document.querySelectorAll('button')].find((button) => button.textContent === {json.dumps(words)})"
+    engine.until(f"!!{button}")
+    engine.evaluate(f"{button}.click()")
 
 
 @pytest.mark.parametrize(
@@ -153,10 +153,10 @@ def test_a_hardpoint_is_dragged_in_plain_views(
     assert across / upward == pytest.approx(40 / 25, rel=0.1)  # it snaps to mm
     assert np.linalg.norm(moved) == pytest.approx(np.hypot(across, upward))
     written = ", ".join(f'"{value:.9g} mm"' for value in before + moved)
-    engine.until(f"document.querySelector('textarea').value.includes({json.dumps(written)})")
+    engine.until(f"document.querySelector('textarea:not(.pasting)').value.includes({json.dumps(written)})")
     press(engine, "Undo")
     engine.until(
-        "document.querySelector('textarea').value.includes('-9.8 mm\", \"303.25 mm\", \"270.83 mm')"
+        "document.querySelector('textarea:not(.pasting)').value.includes('-9.8 mm\", \"303.25 mm\", \"270.83 mm')"
     )
     assert engine.troubles == []
 

@@ -153,7 +153,7 @@ def test_both_axles_never_carry_more_than_the_car_weighs(longitudinal, lifted) -
         found = jn.load_cases(rig, car, case)
         total += float(found["vertical_force"].sum())
         assert (
-            f"tips: the car would tip over: the load on its {lifted} axle carries -"
+            f"tips: the car would tip over: the load on its {lifted} axle is -"
             in found.attrs["findings"]
         )
     assert total == pytest.approx(280.0 * 9.81, rel=2e-3)
