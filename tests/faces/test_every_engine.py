@@ -153,7 +153,9 @@ def test_a_hardpoint_is_dragged_in_plain_views(
     assert across / upward == pytest.approx(40 / 25, rel=0.1)  # it snaps to mm
     assert np.linalg.norm(moved) == pytest.approx(np.hypot(across, upward))
     written = ", ".join(f'"{value:.9g} mm"' for value in before + moved)
-    engine.until(f"document.querySelector('textarea:not(.pasting)').value.includes({json.dumps(written)})")
+    engine.until(
+        f"document.querySelector('textarea:not(.pasting)').value.includes({json.dumps(written)})"
+    )
     press(engine, "Undo")
     engine.until(
         "document.querySelector('textarea:not(.pasting)').value.includes('-9.8 mm\", \"303.25 mm\", \"270.83 mm')"
