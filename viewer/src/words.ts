@@ -116,6 +116,10 @@ export const inField = (text: string): string =>
 export const fromField = (text: string): string =>
   isGerman && QUANTITY.test(text) ? text.replace(/(\d),(\d)/g, "$1.$2").replaceAll("−", "-") : text;
 
+/** A text with the decimal mark of the page in its numbers, such as "22.8 N/mm, 301 rows". */
+export const withComma = (text: string): string =>
+  isGerman ? text.replace(/(?<![\w.])(\d+)\.(\d+)(?![\w.])/g, "$1,$2") : text;
+
 const SAID: Record<string, string> = {};
 
 let patterns: [RegExp, string][] | null = null;

@@ -320,13 +320,15 @@ def _signal(item: RecognisedFile, table: ColumnTable) -> tuple[dict[str, Any], s
         "x_label": "",
         "y_label": column.label,
     }
-    count, rate = len(column.values), item.rate
+    count, rate, signals = len(column.values), item.rate, len(item.signals)
+    numbers = {"signals": signals, "count": count}
     if rate is None:
-        return curve, Phrase(
-            "{signals} signals, {count} rows", signals=len(item.signals), count=count
-        )
-    numbers = {"signals": len(item.signals), "duration": (count - 1) / rate, "rate": rate}
-    return curve, Phrase("{signals} signals, {duration:.3g} s at {rate:.4g} Hz", **numbers)
+        several = "{signals} signals, {count} rows"
+        return curve, Phrase("1 signal, {count} rows" if signals == 1 else several, **numbers)
+    several = "{signals} signals, {duration:.3g} s at {rate:.4g} Hz"
+    single = "1 signal, {duration:.3g} s at {rate:.4g} Hz"
+    numbers |= {"duration": (count - 1) / rate, "rate": rate}
+    return curve, Phrase(single if signals == 1 else several, **numbers)
 
 
 def _envelope(values: Array) -> tuple[Array, Array]:

@@ -12,22 +12,23 @@ export interface Given {
   file: File;
 }
 
+export const MOST_FILES = 500;
 const MOST = 250e6, // bytes of a file
-  MOST_FILES = 500,
   MOST_NAMES = 50; // tried for a file whose name is taken
 let waiting: Given[] = [];
 
-/** The files that were dropped or chosen last; they are given once. */
-export function arrived(): Given[] {
-  const files = waiting;
+/** The files that were dropped or chosen last, and whether there were more; they are given once. */
+export function arrived(): { files: Given[]; isCut: boolean } {
+  const files = waiting.slice(0, MOST_FILES),
+    isCut = waiting.length > MOST_FILES;
   waiting = [];
-  return files;
+  return { files, isCut };
 }
 
 /** Opens the page that lists the files; `campaign` is where they are meant to go. */
 export function bring(files: Given[], campaign = ""): void {
   if (!files.length) return;
-  waiting = [...waiting, ...files].slice(0, MOST_FILES);
+  waiting = [...waiting, ...files];
   location.hash = address("files", { ...(campaign ? { campaign } : {}), at: String(Date.now()) });
 }
 
@@ -40,7 +41,7 @@ async function within(transfer: DataTransfer): Promise<Given[]> {
   if (!entries.some((entry) => entry?.isDirectory)) return plain(transfer.files);
   const files: Given[] = [];
   const walk = async (entry: FileSystemEntry): Promise<void> => {
-    if (files.length >= MOST_FILES || entry.name.startsWith(".")) return;
+    if (files.length > MOST_FILES || entry.name.startsWith(".")) return;
     if (entry.isFile) {
       const file = await new Promise<File>((done, failed) =>
         (entry as FileSystemFileEntry).file(done, failed),

@@ -1,7 +1,7 @@
 /** Tables copied from a spreadsheet: hardpoints, curves and trials, shown beside the present ones before they are taken. */
 
 import { make, whenLeft, written } from "../page";
-import { localised, tr } from "../words";
+import { inField, localised, tr } from "../words";
 import * as api from "./api";
 import { field, once, problem, select } from "./parts";
 import { line, svg } from "./picture";
@@ -92,8 +92,13 @@ export function pastePoints(
     });
     return [forget];
   };
-  const place = (at: number[]) =>
-    at.map((value) => localised(String(Number((MM * value).toFixed(4))))).join("  ");
+  const text = (value: number) => localised(String(Number((MM * value).toFixed(4))));
+  /** Coordinates below each other; those that are not as in `other` stand out. */
+  const place = (at: number[], other = at) =>
+    at.flatMap((value, k) => [
+      ...(k ? [" "] : []),
+      make(text(value) === text(other[k]!) ? "span" : "b", { class: "coordinate" }, text(value)),
+    ]);
   const shown = (pasted: Pasted): HTMLElement[] => {
     const count = new Set(Object.keys(pasted.changes).map((path) => path.split("[")[0])).size;
     const go = make(
@@ -127,7 +132,7 @@ export function pastePoints(
           part(point.name),
           point.theirs,
           place(point.before),
-          place(point.after),
+          place(point.after, point.before),
           point.distance > FAR
             ? make("span", { class: "mark fair" }, written(MM * point.distance, 4))
             : written(MM * point.distance, 4),
@@ -247,25 +252,50 @@ function fold(
   );
 }
 
-/** Two curves in one small picture: the present one and the pasted one. */
-function curves(before: [number[], number[]], after: [number[], number[]]): HTMLElement {
-  const [width, height, edge] = [300, 150, 6];
+const [WIDE, HIGH, LEFT, ABOVE, BELOW, EDGE] = [340, 200, 44, 18, 30, 8]; // of the picture of two curves
+
+/** Two curves in one picture with the ends of its axes: the present one and the pasted one. */
+function curves(
+  over: "deflection" | "velocity",
+  before: [number[], number[]],
+  after: [number[], number[]],
+): HTMLElement {
   const all = [0, 1].map((k) => [...before[k]!, ...after[k]!]);
-  const [x0, x1, y0, y1] = all.flatMap((values) => [Math.min(...values), Math.max(...values)]);
-  const path = ([x, y]: [number[], number[]]) =>
-    line(
-      x.map((at, k) => [
-        edge + ((width - 2 * edge) * (at - x0!)) / (x1! - x0! || 1),
-        height - edge - ((height - 2 * edge) * (y[k]! - y0!)) / (y1! - y0! || 1),
-      ]),
-    );
+  const [x0 = 0, x1 = 1, y0 = 0, y1 = 1] = all.flatMap((values) => [
+    Math.min(...values),
+    Math.max(...values),
+  ]);
+  const [right, bottom] = [WIDE - EDGE, HIGH - BELOW];
+  const x = (at: number) => LEFT + ((right - LEFT) * (at - x0)) / (x1 - x0 || 1),
+    y = (at: number) => bottom - ((bottom - ABOVE) * (at - y0)) / (y1 - y0 || 1);
+  const path = ([over, force]: [number[], number[]]) =>
+    line(over.map((at, k) => [x(at), y(force[k]!)]));
+  const [unit, factor] = over === "deflection" ? ["mm", MM] : ["m/s", 1];
+  const text = (x: number, y: number, anchor: string, words: string) => {
+    const label = svg("text", { x, y, "text-anchor": anchor });
+    label.textContent = words;
+    return label;
+  };
+  const zero = (ends: Record<string, number>) => svg("line", { class: "zero", ...ends });
   const picture = svg("svg", {
-    viewBox: `0 0 ${width} ${height}`,
+    viewBox: `0 0 ${WIDE} ${HIGH}`,
     class: "spark pair",
     role: "img",
     "aria-label": tr("present and pasted curve"),
   });
-  picture.append(svg("path", { class: "was", d: path(before) }), svg("path", { d: path(after) }));
+  picture.append(
+    ...(x0 < 0 && x1 > 0 ? [zero({ x1: x(0), x2: x(0), y1: ABOVE, y2: bottom })] : []),
+    ...(y0 < 0 && y1 > 0 ? [zero({ x1: LEFT, x2: right, y1: y(0), y2: y(0) })] : []),
+    svg("rect", { class: "frame", x: LEFT, y: ABOVE, width: right - LEFT, height: bottom - ABOVE }),
+    svg("path", { class: "was", d: path(before) }),
+    svg("path", { d: path(after) }),
+    text(LEFT, bottom + 12, "start", written(factor * x0, 3)),
+    text(right, bottom + 12, "end", written(factor * x1, 3)),
+    text((LEFT + right) / 2, bottom + 24, "middle", `${key(over)} [${unit}]`),
+    text(LEFT - 4, ABOVE + 8, "end", written(y1, 3)),
+    text(LEFT - 4, bottom, "end", written(y0, 3)),
+    text(LEFT, ABOVE - 6, "start", `${key("force")} [N]`),
+  );
   const figure = make("figure", {});
   figure.append(
     picture,
@@ -334,7 +364,7 @@ export function pasteCurve(
             curve.units.join(", "),
           ),
         ),
-        curves(curve.before, [curve.over, curve.force]),
+        curves(over, curve.before, [curve.over, curve.force]),
         make("p", { class: "bar" }, go),
       ];
     },
@@ -390,9 +420,9 @@ export function pasteTrials(
                 ["trial", "field", "before", "after"],
                 trials.changes.map((change) => [
                   String(change.number),
-                  tr(change.key),
-                  change.before || "–",
-                  change.after,
+                  key(change.key),
+                  inField(change.before) || "–",
+                  inField(change.after),
                 ]),
               ),
             ]

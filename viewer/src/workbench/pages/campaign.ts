@@ -1,7 +1,7 @@
 /** A bench campaign: measurements dropped in and read, parts characterised, the model updated, every trial compared. */
 
 import { make, withInterval, written } from "../../page";
-import { heard, tr } from "../../words";
+import { heard, inField, tr, withComma } from "../../words";
 import * as api from "../api";
 import { Drafts, enter, entered, typedIn } from "../drafts";
 import { bring } from "../incoming";
@@ -334,8 +334,8 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
         String(trial.number),
         tr(String(trial.use ?? "hold-out")),
         String(trial.road ?? tr("measured support")),
-        String(trial.speed ?? "–"),
-        String(trial.tyre_pressure ?? "–"),
+        inField(String(trial.speed ?? "–")),
+        inField(String(trial.tyre_pressure ?? "–")),
         trial.file
           ? link(String(trial.file), "recording", trial as Partial<Bench>)
           : make("span", { class: "mark bad" }, `${String(trial.recording)} is missing`),
@@ -355,10 +355,16 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
             Object.entries(update.free as Record<string, unknown>)
               .map(
                 ([name, bounds]) =>
-                  `${name}: ${Array.isArray(bounds) ? bounds.join(" … ") : String(bounds)}`,
+                  `${name}: ${[bounds]
+                    .flat()
+                    .map((bound) => inField(String(bound)))
+                    .join(" … ")}`,
               )
               .join(", "),
-            JSON.stringify(update.trials ?? "fit").replaceAll('"', ""),
+            [update.trials ?? "fit"]
+              .flat()
+              .map((trial) => tr(String(trial)))
+              .join(", "),
             String(update.method ?? "least-squares"),
           ]),
         )
@@ -546,7 +552,7 @@ function part(
   const element = make(
     "section",
     { class: "job" },
-    make("h3", {}, heard(tr(bench.name))),
+    make("h3", {}, withComma(heard(tr(bench.name)))),
     bench.found.length
       ? make(
           "p",
