@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from pathlib import Path
 from typing import Any
@@ -209,6 +210,76 @@ def test_taken_names_missing_units_and_several_rows_at_once(
     assert campaign.bench.spring is not None
     assert campaign.bench.spring.columns["displacement"] == "displacement [cm]"
     assert [entry.speed for entry in campaign.trial] == [3.0, 3.0]
+    page.context.close()
+
+
+SETTINGS = """schema = "jounce.laboratory/1"
+sprung_mass = "16 kg"
+unsprung_mass = "5 kg"
+obstacle = {height = "10 mm", length = "60 mm"}
+belt = {length = "1.97 m"}
+[channels]
+body = {measures = "sprung.az", sensitivity = "100 mV/g"}
+"""
+
+
+@pytest.fixture
+def folder_of_files(tmp_path: Path) -> Path:
+    """A laboratory's folder: settings, three trials and, below, 120 springs; a hidden folder is none of its files."""
+    place = tmp_path / "lab"
+    (place / "springs").mkdir(parents=True)
+    (place / ".cache").mkdir()
+    (place / "settings.toml").write_text(SETTINGS)
+    (place / ".cache" / "old.csv").write_text(SPRING)
+    rows = "".join(f"{k},{k + 0.95},26,0.31,A\n" for k in (1, 2, 3))
+    (place / "table.csv").write_text(
+        f"trial,speed [m/s],angle [deg],pressure [MPa],profile\n{rows}"
+    )
+    time = [k / 1000 for k in range(1000)]
+    for number in (1, 2, 3):
+        rows = "".join(f"{t},{math.sin(40 * t + number)}\n" for t in time)
+        (place / f"run{number}.csv").write_text(f"time [s],body [V]\n{rows}")
+    for number in range(120):  # more than a browser lists at a time
+        (place / "springs" / f"spring_{number}.csv").write_text(SPRING)
+    return place
+
+
+@pytest.mark.pages
+def test_a_folder_is_dropped_with_all_that_is_in_it(
+    browser: Any, workbench: tuple[Path, int], folder_of_files: Path
+) -> None:
+    page = opened(browser, workbench, "jobs")
+    session = page.context.new_cdp_session(page)
+    data = {"items": [], "files": [str(folder_of_files)], "dragOperationsMask": 1}
+    for kind in ("dragEnter", "dragOver", "drop"):
+        session.send("Input.dispatchDragEvent", {"type": kind, "x": 400, "y": 300, "data": data})
+        if kind == "dragOver":
+            page.get_by_text("Drop the files: they are recognised").wait_for()
+    page.wait_for_selector("html[data-ready=files]")
+    until(page, "document.querySelectorAll('.arrivals tbody tr').length === 125")
+    stored = workbench[0] / "measured" / "lab"
+    assert len(list((stored / "springs").iterdir())) == 120
+    assert not (stored / ".cache").exists()
+    page.context.close()
+
+
+@pytest.mark.pages
+def test_a_chosen_folder_with_settings_makes_its_campaign(
+    browser: Any, workbench: tuple[Path, int], folder_of_files: Path
+) -> None:
+    folder = workbench[0]
+    page = opened(browser, workbench, "files")
+    page.locator("input[webkitdirectory]").set_input_files(folder_of_files)
+    page.get_by_text("settings.toml states masses, obstacle, belt and sensors.").wait_for()
+    page.get_by_label("Folder", exact=True).fill("bench")
+    page.get_by_label("Folder", exact=True).press("Tab")
+    page.get_by_role("button", name="Make the campaign from the settings file").click()
+    page.wait_for_selector("html[data-ready=campaign]")
+    assert "bench/campaign.toml" in page.url.replace("%2F", "/")
+    campaign, _ = jn.campaign.load_campaign(folder / "bench" / "campaign.toml")
+    assert [(entry.number, entry.speed) for entry in campaign.trial] == [
+        (1, 1.95), (2, 2.95), (3, 3.95),
+    ]  # fmt: skip
     page.context.close()
 
 

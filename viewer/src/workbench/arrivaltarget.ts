@@ -36,6 +36,11 @@ export class Target {
     return this.entries.filter(({ kind }) => kind === "campaign").map(({ path }) => path);
   }
 
+  /** Folder of a new campaign. */
+  get folder(): string {
+    return (this.arrivals.list.target.folder || "campaign").replace(/\/+$/, "");
+  }
+
   /** Says how many files the button enters. */
   count(files: number): void {
     this.button.disabled = !files;
@@ -102,9 +107,7 @@ export class Target {
     const { arrivals } = this,
       to = arrivals.list.target,
       isNew = arrivals.isNew;
-    const path = isNew
-      ? `${(to.folder || "campaign").replace(/\/+$/, "")}/campaign.toml`
-      : to.campaign!;
+    const path = isNew ? `${this.folder}/campaign.toml` : to.campaign!;
     const obstacle = { kind: to.obstacle, height: to.height, length: to.length };
     const answer = await once(
       this.button,

@@ -79,16 +79,17 @@ export function trialTable(arrivals: Arrivals, look: () => Promise<void>): HTMLE
   return details;
 }
 
-/** Settings of a laboratory among the files, which are enough for a campaign; `made` hears its file. */
+/** Settings of a laboratory among the files, which are enough for a campaign in `folder`; `made` hears its file. */
 export function settingsOf(
   file: string,
+  folder: () => string,
   made: (campaign: string) => void,
   refused: (error: unknown) => void,
 ): HTMLElement {
   const go = make("button", { type: "button" }, "Make the campaign from the settings file"),
-    out = "campaign",
     source = file.slice(0, file.lastIndexOf("/"));
   go.addEventListener("click", () => {
+    const out = folder();
     once(go, ask({ kind: "new-campaign", out, source, settings: file })).then(
       () => made(`${out}/campaign.toml`),
       refused,

@@ -240,6 +240,7 @@ class FilesPage {
         ? [
             settingsOf(
               settings.file,
+              () => this.target.folder,
               (file) => goTo(this.place, "campaign", { file }),
               (error) => this.status.replaceChildren(problem(error)),
             ),
