@@ -98,7 +98,7 @@ def vehicle_schema() -> dict[str, Any]:
 
 def _complete_models(definitions: dict[str, Any], models: Iterable[type[Rig]]) -> None:
     """Describe the key that selects a class, keys that kinematics do not need, and the second place of a bump stop."""
-    for curve in ("PolynomialCurve", "PowerCurve", "TableCurve"):
+    for curve in ("PolynomialCurve", "PowerCurve", "RotationalTableCurve", "TableCurve"):
         definitions[curve]["required"] = ["kind", *definitions[curve]["required"]]
     for model in models:
         definition = definitions.get(model.__name__)

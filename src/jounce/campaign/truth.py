@@ -23,7 +23,7 @@ from jounce.core.units import (
     to_si,
 )
 from jounce.parts import Corner, QuarterCar, load, rig_from_table
-from jounce.parts.elements import Curve, PolynomialCurve, PowerCurve
+from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve
 from jounce.parts.rig import change_table, split_path
 from jounce.parts.variants import with_strut_angle
 from jounce.recordings import Sensor

@@ -22,8 +22,8 @@ from jounce.exchange.corners import corner_of, require_parts
 from jounce.parts import Rig, as_rig
 from jounce.parts.bodies import INERTIA_ELEMENTS, RigidBody
 from jounce.parts.corners import SAME_POINT, Corner, DoubleWishbone, FiveLink, McPherson
+from jounce.parts.curves import TableCurve
 from jounce.parts.dampers import LinearDamper, MapDamper
-from jounce.parts.elements import TableCurve
 from jounce.parts.importers.chrono import (
     DESIGN,
     STOP_PROGRESSION,
@@ -442,11 +442,7 @@ class _ChronoWriter:
         left = [name for name in parts if getattr(rig, name, None) is not None]
         left += ["strut.friction"] if rig.strut.friction is not None else []
         left += ["steering.rack_travel"] if rig.parameters().get("steering.rack_travel") else []
-        left += [
-            f"bushings.{name}"
-            for name in type(rig.bushings).model_fields
-            if getattr(rig.bushings, name) is not None
-        ]
+        left += rig.elastic_parts
         if left:
             self.findings.append(finding("exchange.not_in_file", "rig", names=", ".join(left)))
         self._say("exchange.tyre_elsewhere", "rig")

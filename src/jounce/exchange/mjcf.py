@@ -20,8 +20,9 @@ from jounce.mechanics import Mechanism
 from jounce.models.corner import suspension
 from jounce.parts import as_rig
 from jounce.parts.corners import Corner
+from jounce.parts.curves import Curve
 from jounce.parts.dampers import LinearDamper
-from jounce.parts.elements import BumpStop, Curve
+from jounce.parts.elements import BumpStop
 from jounce.parts.leverage import force_at
 from jounce.parts.options import AnyRig
 
@@ -202,11 +203,11 @@ class _MjcfWriter:
         )
 
     def _without_bushings(self) -> None:
-        table = self.rig.bushings
-        soft = [name for name in type(table).model_fields if getattr(table, name) is not None]
+        soft = self.rig.elastic_parts
         if soft:
-            self._say("exchange.ideal_joints", "bushings", names=", ".join(soft))
-            self.rig = self.rig.model_copy(update={"bushings": type(table)()})
+            names = ", ".join(name.removeprefix("bushings.") for name in soft)
+            self._say("exchange.ideal_joints", "bushings", names=names)
+            self.rig = self.rig.model_copy(update={"bushings": type(self.rig.bushings)()})
 
     # --- bodies and joints
 

@@ -120,7 +120,7 @@ def compliance(
     True
     """
     corner = check_corner(rig)
-    if not _has_bushings(corner):
+    if not corner.elastic_points & {*corner.bushed_in_runs}:
         raise DescriptionError(
             "the corner has no bushings, so it has no compliance",
             where="bushings",
@@ -140,13 +140,6 @@ def compliance(
         _yields(corner, float(height), float(at), load) for height, at in zip(*ground, strict=True)
     ]
     return _dataset(corner, travels, states)
-
-
-def _has_bushings(rig: Corner) -> bool:
-    bushings = getattr(rig, "bushings", None)
-    return bushings is not None and any(
-        getattr(bushings, name) is not None for name in type(bushings).model_fields
-    )
 
 
 def _ground(rig: Corner, travel: Array, rack: float | None) -> tuple[Array, Array]:

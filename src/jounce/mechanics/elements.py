@@ -12,17 +12,9 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.mechanics.system import System
+from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve, TableCurve
 from jounce.parts.dampers import DamperLaw, MapDamper
-from jounce.parts.elements import (
-    BumpStop,
-    Curve,
-    Friction,
-    PolynomialCurve,
-    PowerCurve,
-    Spring,
-    TableCurve,
-    Tyre,
-)
+from jounce.parts.elements import BumpStop, Friction, Spring, Tyre
 
 _SLIDING = 3.0  # in regularisation velocities; tanh(3) = 0.995
 

@@ -16,13 +16,18 @@ from jounce.core.phrases import Phrase
 from jounce.core.samples import as_list
 from jounce.core.types import Array
 from jounce.core.units import (
+    Force,
     Length,
     Mass,
     MomentOfInertia,
     NonNegativeDampingCoefficient,
+    NonNegativeForce,
     NonNegativeRotationalStiffness,
     NonNegativeStiffness,
+    NonNegativeTorque,
+    Number,
     ProductOfInertia,
+    Torque,
 )
 
 Triple = tuple[float, float, float]
@@ -57,6 +62,17 @@ DampingTriple = Annotated[
         NonNegativeDampingCoefficient, NonNegativeDampingCoefficient, NonNegativeDampingCoefficient
     ],
     BeforeValidator(_three),
+]
+
+Direction = Annotated[tuple[Number, Number, Number], BeforeValidator(_three)]
+"""Direction in design axes: x forward, y left, z up; its length does not matter."""
+ForceTriple = Annotated[tuple[Force, Force, Force], BeforeValidator(_three)]
+TorqueTriple = Annotated[tuple[Torque, Torque, Torque], BeforeValidator(_three)]
+FrictionTriple = Annotated[
+    tuple[NonNegativeForce, NonNegativeForce, NonNegativeForce], BeforeValidator(_three)
+]
+FrictionTorqueTriple = Annotated[
+    tuple[NonNegativeTorque, NonNegativeTorque, NonNegativeTorque], BeforeValidator(_three)
 ]
 
 

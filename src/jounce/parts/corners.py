@@ -16,14 +16,14 @@ from pydantic import (
 
 from jounce.core.constants import GRAVITY
 from jounce.core.description import Description
-from jounce.core.errors import DescriptionError, show_value
+from jounce.core.errors import DescriptionError, nearest, show_value
 from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import Acceleration, Angle, Mass, PositiveLength
 from jounce.parts.bodies import Inertia, Point, RigidBody, Triple, distance, distance_to_line
+from jounce.parts.bushings import Bushing, Link, Subframe, WheelBearing, mirror_bushing
 from jounce.parts.elements import (
     AntiRollBar,
-    Bushing,
     CornerTyre,
     Friction,
     SpatialStrut,
@@ -60,6 +60,12 @@ _TABLES = {
     "damper": "strut.damper",
     "tyre": "[tyre]",
 }
+_ENDS = ("strut_bottom", "strut_top", *_OWN_ENDS)
+_ON_BODY = ("strut_top", "spring_top", "damper_top", "arb_pivot")
+_ON_BAR = ("arb_pivot", "arb_arm_end", "arb_link_end")
+_ON_ROCKER_JOINTS = ("pushrod_outer", "pushrod_inner", "rocker_pivot")
+RACK = "rack"
+"""Name of the steering rack among the parts that a subframe carries."""
 Groups = tuple[tuple[str, ...], ...]
 Axes = tuple[tuple[str, str, str], ...]
 Rods = tuple[tuple[str, str], ...]
@@ -240,6 +246,9 @@ class Corner(Rig):
     torsion_bar: TorsionBar | None = None
     third_spring: ThirdSpring | None = None
     bushings: Description = Description()
+    subframe: Subframe | None = None
+    bearing: WheelBearing | None = None
+    links: Description = Description()
     without: tuple[Literal["bodies", "spring", "damper", "tyre"], ...] = ()
     """Parts omitted from the file. Kinematics needs only hardpoints and wheel; unused placeholders replace the rest."""
 
@@ -254,6 +263,14 @@ class Corner(Rig):
     """Bodies whose axis may hold a torsion bar. A third spring is allowed on the same bodies as an anti-roll bar."""
     bushed: ClassVar[tuple[str, ...]] = ()
     """Hardpoints at which a bushing may replace an ideal joint."""
+    bushed_in_runs: ClassVar[tuple[str, ...]] = ()
+    """Those whose bushings act in runs; the K&C rig knows all."""
+    on_body: ClassVar[tuple[str, ...]] = ()
+    """Hardpoints on the car's body or the rack; a subframe may carry them."""
+    on_rack: ClassVar[tuple[str, ...]] = ()
+    """Those of them that are on the rack of a steered wheel."""
+    yielding: ClassVar[tuple[str, ...]] = ()
+    """Links and arms that may have a stiffness."""
 
     def __init_subclass__(cls, **options: Any) -> None:
         """Create the types of bodies, strut, anti-roll bar and bushings from the names above.
@@ -295,23 +312,22 @@ class Corner(Rig):
         wound = part("TorsionBar", TorsionBar, text, on("on", cls.wound_on))
         text = "Third spring between the body ``on`` and its mirror image."
         third = part("ThirdSpring", ThirdSpring, text, on("on", tuple(reversed(cls.bar_on))))
-        text = "Bushings in place of ideal joints on the car's body."
+        text = "Bushings in place of ideal joints."
         bushings = part(
             "Bushings", Description, text, dict.fromkeys(cls.bushed, (Bushing | None, None))
         )
+        text = "Links and arms that yield under load."
+        links = part("Links", Description, text, dict.fromkeys(cls.yielding, (Link | None, None)))
         cls.__annotations__ |= {
             "bodies": bodies,
             "strut": strut,
             "anti_roll_bar": bar | None,
             "bushings": bushings,
+            "links": links,
         }
         cls.__annotations__ |= {"torsion_bar": wound | None, "third_spring": third | None}
-        cls.anti_roll_bar, cls.torsion_bar, cls.third_spring, cls.bushings = (
-            None,
-            None,
-            None,
-            bushings(),
-        )
+        cls.anti_roll_bar, cls.torsion_bar, cls.third_spring = None, None, None
+        cls.bushings, cls.links = bushings(), links()
 
     @model_validator(mode="before")
     @classmethod
@@ -402,8 +418,29 @@ class Corner(Rig):
     @property
     def only_travels(self) -> bool:
         """Whether one coordinate describes the pose: ideal joints, a body that does not rotate, no omitted parts."""
-        soft = self.bushings.model_dump(exclude_none=True)
+        soft = self.elastic_points & {*self.bushed_in_runs}
         return self.guide != "vertical+spherical" and not soft and not self.lacks
+
+    @property
+    def elastic_points(self) -> frozenset[str]:
+        """Hardpoints with a bushing."""
+        return frozenset(name for name in self.bushed if getattr(self.bushings, name) is not None)
+
+    @property
+    def elastic_parts(self) -> tuple[str, ...]:
+        """Paths of all descriptions of compliance: bushings, mounts, bearing, links and the steering's stiffness."""
+        names = [f"bushings.{name}" for name in self.bushed if name in self.elastic_points]
+        names += [name for name in ("subframe", "bearing") if getattr(self, name) is not None]
+        names += [
+            f"links.{name}" for name in self.yielding if getattr(self.links, name) is not None
+        ]
+        steering = getattr(self, "steering", None)
+        names += [
+            f"steering.{name}"
+            for name in ("column_stiffness", "assistance", "housing")
+            if getattr(steering, name, None) not in (None, ())
+        ]
+        return tuple(names)
 
     @property
     def besides_strut(self) -> tuple[str, ...]:
@@ -479,6 +516,7 @@ class Corner(Rig):
         self._check_side()
         self._check_sprung()
         self._check_attachments()
+        self._check_compliance()
         return self
 
     def _check_side(self) -> None:
@@ -644,6 +682,44 @@ class Corner(Rig):
                 allowed=Phrase("at least {least:g} mm from it", least=1e3 * _APART),
             )
 
+    def _check_compliance(self) -> None:
+        """Refuse bushings at points, and stiffnesses of links, that the rig does not have."""
+        points = self.hardpoints.given()
+        for name in self.bushed:
+            if name in self.elastic_points and name not in points:
+                raise error_at(
+                    ("bushings", name), Phrase("the hardpoint {name} is missing", name=name)
+                )
+        needed = {"pushrod": "pushrod_outer", "arb_link": "arb_link_end"}
+        for name, point in needed.items():
+            if getattr(self.links, name, None) is not None and point not in points:
+                raise error_at(
+                    ("links", name), Phrase("the hardpoint {name} is missing", name=point)
+                )
+        if self.subframe is None:
+            return
+        steered = getattr(self, "steering", None) is not None
+        known = [name for name in self.on_body if name in points]
+        known = [name for name in known if not (steered and name in self.on_rack)]
+        known += [RACK] if steered else []
+        for i, name in enumerate(self.subframe.carries):
+            if name not in known:
+                raise error_at(
+                    ("subframe", "carries", i),
+                    "the body of this rig has no such point",
+                    found=name,
+                    allowed=", ".join(known),
+                    hint=self._carried_instead(name, known, steered=steered),
+                )
+
+    def _carried_instead(self, name: str, known: list[str], *, steered: bool) -> str:
+        """Return advice on a name that a subframe cannot carry."""
+        if steered and name in self.on_rack:
+            return "This point is on the rack: name the rack."
+        if name == RACK:
+            return "A rack needs the table [steering]."
+        return nearest(name, known)
+
     def _require_body(self, element: str, name: str) -> None:
         if name in self.body_masses():
             return
@@ -663,8 +739,10 @@ def _mirror(table: dict[str, Any]) -> dict[str, Any]:
     mirrored = dict(table)
     for key, value in table.items():
         if key == "bushings":
-            continue
-        if isinstance(value, dict):
+            mirrored[key] = {name: mirror_bushing(bushing) for name, bushing in value.items()}
+        elif key in ("mounts", "housing"):
+            mirrored[key] = tuple(mirror_bushing(mount) for mount in value)
+        elif isinstance(value, dict):
             mirrored[key] = (
                 _mirror_points(value) if key in ("hardpoints", "column") else _mirror(value)
             )
@@ -762,13 +840,21 @@ class DoubleWishbone(Corner):
     pushrod_on = ("lower_arm", "upper_arm", "upright")
     bar_on = ("lower_arm", "upper_arm", "upright", "rocker")
     wound_on = ("lower_arm", "upper_arm", "rocker")
-    bushed = (
+    on_rack = ("tie_rod_inner",)
+    bushed_in_runs = (
         "lower_arm_front",
         "lower_arm_rear",
         "upper_arm_front",
         "upper_arm_rear",
-        "tie_rod_inner",
+        *on_rack,
     )
+    bushed = (
+        *bushed_in_runs,
+        *("lower_ball_joint", "upper_ball_joint", "tie_rod_outer"),
+        *(*_ENDS, *_ON_ROCKER_JOINTS, *_ON_BAR),
+    )
+    on_body = (*bushed_in_runs, "rocker_pivot", *_ON_BODY)
+    yielding = ("lower_arm", "upper_arm", "tie_rod", "pushrod", "arb_link")
 
 
 class McPhersonHardpoints(ArmHardpoints):
@@ -809,7 +895,11 @@ class McPherson(Corner):
     strut_on = ("upright",)
     bar_on = ("upright", "lower_arm")
     wound_on = ("lower_arm",)
-    bushed = ("lower_arm_front", "lower_arm_rear", "tie_rod_inner", "strut_top")
+    on_rack = ("tie_rod_inner",)
+    bushed_in_runs = ("lower_arm_front", "lower_arm_rear", *on_rack, "strut_top")
+    bushed = (*bushed_in_runs, "lower_ball_joint", "tie_rod_outer", *_OWN_ENDS, *_ON_BAR)
+    on_body = ("lower_arm_front", "lower_arm_rear", *on_rack, *_ON_BODY)
+    yielding = ("lower_arm", "tie_rod", "arb_link")
 
 
 class FiveLinkHardpoints(RockerHardpoints):
@@ -864,7 +954,15 @@ class FiveLink(Corner):
     pushrod_on = ("upright",)
     bar_on = ("upright", "link_1", "link_2", "link_3", "link_4", "link_5", "rocker")
     wound_on = ("rocker",)
-    bushed = ("link_1_inner", "link_2_inner", "link_3_inner", "link_4_inner", "link_5_inner")
+    on_rack = ("link_5_inner",)
+    bushed_in_runs = tuple(f"link_{i}_inner" for i in range(1, 6))
+    bushed = (
+        *bushed_in_runs,
+        *(f"link_{i}_outer" for i in range(1, 6)),
+        *(*_ENDS, *_ON_ROCKER_JOINTS, *_ON_BAR),
+    )
+    on_body = (*bushed_in_runs, "rocker_pivot", *_ON_BODY)
+    yielding = (*(f"link_{i}" for i in range(1, 6)), "pushrod", "arb_link")
 
 
 class TrailingArmHardpoints(Hardpoints):
@@ -888,7 +986,10 @@ class TrailingArm(Corner):
     strut_on = ("arm",)
     bar_on = ("arm",)
     wound_on = ("arm",)
-    bushed = ("arm_inner", "arm_outer")
+    bushed_in_runs = ("arm_inner", "arm_outer")
+    bushed = (*bushed_in_runs, *_ENDS, *_ON_BAR)
+    on_body = (*bushed_in_runs, *_ON_BODY)
+    yielding = ("arb_link",)
 
 
 if TYPE_CHECKING:

@@ -1,7 +1,7 @@
 """Force elements as immutable descriptions.
 
-Springs, friction, stops, tyres, steering, anti-roll bars, torsion bars, third springs and bushings. Dampers are in a
-separate module.
+Springs, friction, stops, tyres, steering, anti-roll bars, torsion bars and third springs. Curves, dampers and bushings
+have modules of their own.
 """
 
 from __future__ import annotations
@@ -10,22 +10,19 @@ import math
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from jounce.core.description import Description
 from jounce.core.errors import as_found
 from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
-from jounce.core.samples import Listed
 from jounce.core.units import (
     Angle,
     Force,
     Length,
     NonNegativeDampingCoefficient,
     NonNegativeForce,
-    Number,
     PositiveLength,
-    PositiveNumber,
     PositiveRotationalStiffness,
     PositiveSpeed,
     PositiveStiffness,
@@ -33,46 +30,10 @@ from jounce.core.units import (
     Torque,
     Unit,
 )
-from jounce.parts.bodies import (
-    DampingTriple,
-    Point,
-    RotationalStiffnessTriple,
-    StiffnessTriple,
-    Triple,
-)
+from jounce.parts.bodies import Point, Triple
+from jounce.parts.bushings import Mount
+from jounce.parts.curves import Curve
 from jounce.parts.dampers import Damper, StrutDamper
-from jounce.parts.tables import check_table
-
-
-class PolynomialCurve(Description):
-    """Force ``F = c[0] x + c[1] x^2 + ...`` without a constant term; ``x`` in m, ``c[i]`` in N/m^(i+1)."""
-
-    kind: Literal["polynomial"] = "polynomial"
-    coefficients: Annotated[tuple[Number, ...], Listed] = Field(min_length=1, max_length=9)
-
-
-class PowerCurve(Description):
-    """Force ``F = coefficient * x^exponent`` for ``x > 0`` in m (zero below); SI units."""
-
-    kind: Literal["power"] = "power"
-    coefficient: PositiveNumber
-    exponent: PositiveNumber
-
-
-class TableCurve(Description):
-    """Force as a table over deflection (m, compression positive), interpolated and extrapolated linearly."""
-
-    kind: Literal["table"] = "table"
-    deflection: Annotated[tuple[Length, ...], Listed] = Field(min_length=2)
-    force: Annotated[tuple[Force, ...], Listed] = Field(min_length=2)
-
-    @model_validator(mode="after")
-    def _check(self) -> TableCurve:
-        check_table("deflection", self.deflection, self.force)
-        return self
-
-
-Curve = Annotated[PolynomialCurve | PowerCurve | TableCurve, Field(discriminator="kind")]
 
 
 class Spring(Description):
@@ -281,11 +242,18 @@ class Steering(Description):
 
     ``rack_ratio`` (m/rad) is rack travel over pinion rotation; positive if turning the handwheel to the left moves the
     rack to the left. Without a ``column`` the handwheel turns the pinion directly.
+
+    On the K&C rig, ``column_stiffness`` (N m/rad, at the pinion) acts between handwheel and pinion, ``assistance`` is
+    the rack force that the assistance carries per rack force by hand, and ``housing`` are the mounts of the rack
+    housing on one side; the other side has their mirror images.
     """
 
     rack_travel: Length = 0.0
     rack_ratio: Annotated[float, Unit("m/rad")] | None = None
     column: SteeringColumn | None = None
+    column_stiffness: PositiveRotationalStiffness | None = None
+    assistance: Annotated[float, Unit("1", at_least=0.0)] | None = None
+    housing: tuple[Mount, ...] = ()
 
     @model_validator(mode="after")
     def _turns_the_rack(self) -> Self:
@@ -296,17 +264,10 @@ class Steering(Description):
                 found=Phrase("0 m/rad"),
                 allowed="any other ratio, negative if the rack moves the other way",
             )
-        if self.column is not None and self.rack_ratio is None:
-            raise error_at(("column",), "turns a pinion without a rack; add steering.rack_ratio")
+        for name in ("column", "column_stiffness"):
+            if getattr(self, name) is not None and self.rack_ratio is None:
+                raise error_at((name,), "turns a pinion without a rack; add steering.rack_ratio")
         return self
-
-
-class Bushing(Description):
-    """Elastic joint in place of an ideal one, along and about x, y and z of the body (N/m, N m/rad, N s/m)."""
-
-    stiffness: StiffnessTriple
-    rotational_stiffness: RotationalStiffnessTriple = (0.0, 0.0, 0.0)
-    damping: DampingTriple = (0.0, 0.0, 0.0)
 
 
 class Blade(Description):

@@ -46,7 +46,7 @@ _ORDER = [
     "hardpoints",
 ]
 _ORDER += ["wheel", "sprung", "unsprung", "bodies", "strut", "torsion_bar", "third_spring"]
-_ORDER += ["steering", "anti_roll_bar", "bushings", "tyre"]
+_ORDER += ["steering", "anti_roll_bar", "bushings", "subframe", "bearing", "links", "tyre"]
 _SHOWN: dict[str, tuple[str, float]] = {
     "m": ("mm", 1e-3),
     "rad": ("deg", float(np.pi / 180.0)),
@@ -93,19 +93,31 @@ def rig_text(rig: Rig, comments: Sequence[str] = ()) -> str:
     return "\n".join([*head, *plain, *body, ""])
 
 
-def _section(rig: Rig, path: str, table: Mapping[str, Any]) -> list[str]:
-    """Format a table as lines: small tables of plain values inline, others as separate sections."""
+def _section(rig: Rig, path: str, table: Mapping[str, Any], header: str = "") -> list[str]:
+    """Format a table as lines: small tables of plain values inline, others as separate sections.
+
+    ``header`` is that of a table in a list, whose entries have no number there.
+    """
     keys = sorted(table, key=lambda name: path == "hardpoints" and name in Hardpoints.model_fields)
     own, below = [], []
+    title = header.strip("[]") or path
     for key in keys:
         value = table[key]
         if isinstance(value, Mapping) and not all(
             isinstance(item, (str, bool, float)) for item in value.values()
         ):
-            below += _section(rig, f"{path}.{key}", value)
+            inner = f"[{title}.{key}]" if header else ""
+            below += _section(rig, f"{path}.{key}", value, inner)
+        elif _holds_tables(value):
+            for i, item in enumerate(value):
+                below += _section(rig, f"{path}.{key}[{i}]", item, f"[[{title}.{key}]]")
         else:
             own.append(f"{key} = {_value(rig, f'{path}.{key}', value)}")
-    return [*(["", f"[{path}]", *own] if own else []), *below]
+    return [*(["", header or f"[{path}]", *own] if own else []), *below]
+
+
+def _holds_tables(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and bool(value) and isinstance(value[0], Mapping)
 
 
 def _value(rig: Rig, path: str, value: Any) -> str:
@@ -352,6 +364,9 @@ def _reshape(here: Any, wanted: dict[str, Any], described: dict[str, Any]) -> No
                 _reshape(here[key], value, old)
             elif value:
                 here[key] = _plain(value)
+        elif isinstance(old, tuple) and _holds_tables(old) and len(value) == len(old):
+            for item, inner, before in zip(here[key], value, old, strict=True):
+                _reshape(item, inner, before)
         elif old is None or _is_another_law(value, old):
             here[key] = _plain(value)
 
@@ -366,10 +381,10 @@ def _has_other_parts(value: Any, old: Any) -> bool:
 
 
 def _is_another_law(value: Any, old: Any) -> bool:
-    """Whether a text (the kind of a law) or the number of points differs."""
-    return (isinstance(value, str) and value != old) or (
-        isinstance(value, tuple) and len(value) != len(old)
-    )
+    """Whether a text (the kind of a law) or the number of points differs, also inside of lists."""
+    if isinstance(value, tuple):
+        return len(value) != len(old) or any(map(_has_other_parts, value, old))
+    return isinstance(value, str) and value != old
 
 
 def _plain(value: Any) -> Any:

@@ -13,7 +13,8 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner, Hardpoints, McPhersonHardpoints, TrailingArmHardpoints
-from jounce.parts.elements import BumpStop, CoilSpring, Curve, PolynomialCurve, PowerCurve, Tyre
+from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve
+from jounce.parts.elements import BumpStop, CoilSpring, Tyre
 from jounce.parts.tables import on_lines
 
 AXES = {

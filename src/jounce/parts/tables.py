@@ -12,13 +12,16 @@ from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 
 
-def check_table(name: str, x: tuple[float, ...], force: tuple[float, ...]) -> None:
-    """Refuse tables of unequal lengths, or whose points are not ascending."""
+def check_table(
+    name: str, x: tuple[float, ...], force: tuple[float, ...], load: str = "force"
+) -> None:
+    """Refuse tables of unequal lengths, or whose points are not ascending; ``load`` names the second row."""
     if len(x) != len(force):
         raise ValueError(
             Phrase(
-                "{name} has {count} points and force has {second_count}; give equal numbers of both",
+                "{name} has {count} points and {load} has {second_count}; give equal numbers of both",
                 name=name,
+                load=load,
                 count=len(x),
                 second_count=len(force),
             )

@@ -22,6 +22,7 @@ from jounce.mechanics.elements import (
     spring_force,
     tyre_force,
 )
+from jounce.parts.curves import PolynomialCurve, PowerCurve, TableCurve
 from jounce.parts.dampers import (
     BilinearDamper,
     BlowOffDamper,
@@ -31,15 +32,7 @@ from jounce.parts.dampers import (
     TanhDamper,
     VelocityTable,
 )
-from jounce.parts.elements import (
-    BumpStop,
-    Friction,
-    PolynomialCurve,
-    PowerCurve,
-    Spring,
-    TableCurve,
-    Tyre,
-)
+from jounce.parts.elements import BumpStop, Friction, Spring, Tyre
 
 MAP = MapDamper(
     length=(0.30, 0.36, 0.45),

@@ -359,9 +359,9 @@ MISTAKES = [  # old text, new text, line of the message, message
     ),
     (
         "[tyre]",
-        "[bushings.strut_top]\n[tyre]",
+        "[bushings.wheel_centre]\n[tyre]",
         52,
-        r"bushings.strut_top: unknown key; allowed: lower_arm_front",
+        r"bushings.wheel_centre: unknown key; allowed: arb_arm_end",
     ),
     (
         "[steering]",
