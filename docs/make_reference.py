@@ -28,6 +28,7 @@ SUBJECTS = {
     "mechanics": "Mechanisms of your own: jn.mechanics",
     "simulation": "Runs, statics, modes, sensitivities",
     "kinematics": "Kinematics, loads, compliance, clearances",
+    "kc": "Kinematics-and-compliance laboratory",
     "ride": "Ride comfort and road holding",
     "variants": "Many runs",
     "identify": "Identification and updating",

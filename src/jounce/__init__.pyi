@@ -133,6 +133,7 @@ from .inspection.record import read_record as read_record
 from .inspection.rig_inspection import inspect_rig as inspect_rig
 from .inspection.simulated import simulate_axle as simulate_axle
 from .inspection.simulated import simulate_inspection as simulate_inspection
+from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad
 from .kinematics import LoadCase as LoadCase

@@ -12,13 +12,14 @@ from typing import Any, Literal
 import numpy as np
 
 from jounce.campaign.from_folder import road_of
-from jounce.campaign.laboratory import TrialRow, read_trials, without_accents
+from jounce.campaign.laboratory import TrialRow, read_trials
 from jounce.campaign.recogniser import RecognisedFile, number_trials, recognise_columns
 from jounce.core.columns import Column, ColumnTable, names_time
 from jounce.core.errors import JounceError
 from jounce.core.files import state_of
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
+from jounce.core.text import without_accents
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, is_unit_of
 from jounce.recordings.schema import quantity_of

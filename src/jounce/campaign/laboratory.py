@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import re
-import unicodedata
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -19,6 +18,7 @@ from jounce.core.errors import DescriptionError, RecordingError
 from jounce.core.files import reading
 from jounce.core.misplaced import error_at, misplaced_value
 from jounce.core.phrases import Phrase
+from jounce.core.text import without_accents
 from jounce.core.units import (
     Mass,
     PositiveHeight,
@@ -337,18 +337,6 @@ def _heading(text: str) -> str | None:
         ):
             return name
     return None
-
-
-def without_accents(text: str) -> str:
-    """Convert text to lower case without accents, for comparisons across keyboards.
-
-    >>> without_accents("Prędkość, Ângulo, koło")
-    'predkosc, angulo, kolo'
-    """
-    folded = unicodedata.normalize("NFKD", text.casefold()).translate(
-        {ord("ł"): "l", ord("ø"): "o"}
-    )
-    return "".join(letter for letter in folded if not unicodedata.combining(letter))
 
 
 def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow:

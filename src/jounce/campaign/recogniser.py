@@ -13,11 +13,12 @@ from typing import Literal
 
 import numpy as np
 
-from jounce.campaign.laboratory import Laboratory, is_table_of_trials, read_trials, without_accents
+from jounce.campaign.laboratory import Laboratory, is_table_of_trials, read_trials
 from jounce.core.columns import Column, ColumnTable, name_and_unit, names_time, text_of
 from jounce.core.errors import JounceError, RecordingError
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
+from jounce.core.text import without_accents
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, is_unit_of
 from jounce.recordings.pulses import FEWEST_PULSES, edges

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Sequence
 from json import dumps as json_text
 from typing import Any
-from unicodedata import category, normalize
+from unicodedata import category, combining, normalize
 
 # Control characters except tab and new line, those of 8-bit terminals, line separators, and direction marks.
 _UNSEEN = re.compile(
@@ -135,6 +135,16 @@ def align_columns(rows: Sequence[Sequence[str]], left: int = 1) -> list[str]:
         )
         for row in rows
     ]
+
+
+def without_accents(text: str) -> str:
+    """Convert text to lower case without accents, for comparisons across keyboards.
+
+    >>> without_accents("Prędkość, Ângulo, koło")
+    'predkosc, angulo, kolo'
+    """
+    folded = normalize("NFKD", text.casefold()).translate({ord("ł"): "l", ord("ø"): "o"})
+    return "".join(letter for letter in folded if not combining(letter))
 
 
 def slug(text: str) -> str:

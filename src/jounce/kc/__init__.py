@@ -1,0 +1,1 @@
+"""Kinematics and compliance: the tests of a laboratory, simulated and measured, and what differs between them."""
