@@ -72,7 +72,8 @@ def test_gaps_are_left_out_and_constants_have_no_shares() -> None:
     assert float(fit["slope"][0]) == pytest.approx(5.0)
     flat = jn.kc_slopes(sheet(x, np.full(x.size, 0.3)))
     assert float(flat["slope"][0]) == pytest.approx(0.0, abs=1e-15)
-    assert np.isnan(flat["nonlinearity"][0]) and np.isnan(flat["hysteresis"][0])
+    assert np.isnan(flat["nonlinearity"][0])
+    assert np.isnan(flat["hysteresis"][0])
 
 
 @pytest.mark.parametrize("within", [(1.0, -1.0), "1 m", (5000.0, 6000.0), (0.0, 1.0, 2.0)])
