@@ -344,7 +344,7 @@ class NewCampaignTask(_Task):
         out = _folder(project, self.out)
         source = self.source and _folder(project, self.source)
         settings = self.settings and _file(project, self.settings)
-        request = _request("campaign new", {"folder": out, "source": source, "settings": settings})
+        request = _request("campaign new", {"folder": out, "from": source, "settings": settings})
         title = f"Campaign to start from in {out}"
         return JobSpec(title, request.words(), python=request.python(), patience=60.0)
 
@@ -508,10 +508,15 @@ def spec_of(task: AnyTask, project: Project) -> JobSpec:
 
 
 def _request(command: str, given: Mapping[str, Any]) -> Request:
-    """Return a request; fields left empty on the page have their defaults."""
-    return Request(
-        operations()[command], {name: value for name, value in given.items() if value != ""}
-    )
+    """Return a request; fields left empty on the page have their defaults.
+
+    A name that is no option would be ignored: it is an error of this file.
+    """
+    operation = operations()[command]
+    unknown = set(given) - {parameter.option for parameter in operation.parameters}
+    if unknown:
+        raise KeyError(f"{command} has no option {', '.join(sorted(unknown))}")
+    return Request(operation, {name: value for name, value in given.items() if value != ""})
 
 
 def _file(project: Project, path: str) -> str:
