@@ -389,11 +389,10 @@ class _Reading(_Task):
             )
         return words
 
-    def _request(self, project: Project, command: str, **more: str) -> Request:
+    def _request(self, project: Project, command: str, without: set[str], **more: str) -> Request:
         files = [_file(project, file) for file in self.files]
-        return _request(
-            command, {**self.model_dump(exclude={"kind", "files"}), "measured": files, **more}
-        )
+        given = self.model_dump(exclude={"kind", "files", *without})
+        return _request(command, {**given, "measured": files, **more})
 
     def _read(self, *names: str) -> str:
         return arguments({name: getattr(self, name) for name in names if getattr(self, name)}, ", ")
@@ -409,7 +408,7 @@ class StiffnessTask(_Reading):
     branch: Literal["loading", "unloading", "both"] = "loading"
 
     def _spec(self, project: Project) -> JobSpec:
-        request = self._request(project, "fit stiffness")
+        request = self._request(project, "fit stiffness", set())
         return JobSpec("Stiffness", request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
@@ -424,7 +423,9 @@ class DecayTask(_Reading):
     end: Text = ""
 
     def _spec(self, project: Project) -> JobSpec:
-        request = self._request(project, "fit decay", **{"from": self.begin, "to": self.end})
+        others = {"begin", "end", "force_positive"}  # a decay has no force
+        section = {"from": self.begin, "to": self.end}
+        request = self._request(project, "fit decay", others, **section)
         return JobSpec("Free decay", request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
