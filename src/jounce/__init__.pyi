@@ -133,6 +133,8 @@ from .inspection.record import read_record as read_record
 from .inspection.rig_inspection import inspect_rig as inspect_rig
 from .inspection.simulated import simulate_axle as simulate_axle
 from .inspection.simulated import simulate_inspection as simulate_inspection
+from .kc.laboratory import kc_test as kc_test
+from .kc.laboratory import kc_tests as kc_tests
 from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad

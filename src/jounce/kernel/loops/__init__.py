@@ -13,7 +13,14 @@ from pathlib import Path
 
 from jounce.kernel.machine import LEVEL_3
 
-SOURCES = ("kernel/loops", "kernel/methods", "kernel/arrays", "kernel/engine", "kernel/poses")
+SOURCES = (
+    "kernel/loops",
+    "kernel/methods",
+    "kernel/arrays",
+    "kernel/engine",
+    "kernel/poses",
+    "kernel/equilibrium",
+)
 """Sources of the loops and of their arguments; built code is valid only for the current text of these modules."""
 
 LOOPS = {
@@ -30,6 +37,7 @@ LOOPS = {
     "warping": ("warping", "path_back"),
     "hysteresis": ("hysteresis", "follow"),
     "drag": ("drag", "follow"),
+    "equilibrium": ("equilibrium", "follow"),
 }
 """Loops that are called from Python: module and function."""
 

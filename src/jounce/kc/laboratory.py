@@ -1,0 +1,380 @@
+"""Tests on the K&C rig: the body held, pads under the wheels moved or loaded, equilibrium at every sample."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from jounce.core.datasets import dataset
+from jounce.core.errors import DescriptionError, SimulationError, unknown
+from jounce.core.phrases import Phrase
+from jounce.core.types import Array
+from jounce.core.units import to_si
+from jounce.kc.axle import SIDES, BuiltAxle
+from jounce.kc.quantities import Poses, quantities
+from jounce.kc.tests import TESTS, KCTest
+from jounce.kernel import equilibrium as eq
+from jounce.kinematics.model import check_corner
+from jounce.parts import Corner, FullCar3D, Rig
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_APPROACH = 5e-3  # m: step of pads and rack on the way to the state of a test
+_FEWEST = 5
+_NO_SEEDS = eq.Seeds(np.zeros((0, 2), dtype=np.int64), np.zeros((0, eq.WIDTH)))
+Held = Literal["load", "height"]
+Handwheel = Literal["locked", "free"]
+
+
+@dataclass(frozen=True)
+class State:
+    """The axle before a test: pose, multipliers and slipped deflections, and each control's value and force."""
+
+    start: tuple[Array, Array, Array]
+    heights: Array
+    rack: float
+    forces: Array
+
+
+class Laboratory:
+    """An axle ready for tests: its arrays, and the state in which a test begins."""
+
+    def __init__(self, rig: Corner, travel: float = 0.0, rack: float | None = None) -> None:
+        self.rig = rig
+        self.axle = BuiltAxle(rig)
+        self.arrays, self.multipliers = self.axle.assembly.arrays()
+        self.bodies = len(self.axle.assembly.bodies)
+        self.controls = [name for name, *_ in self.axle.assembly.controls]
+        self.design = np.array([_lowest(row) for row in self.arrays.wheels])
+        steering = getattr(rig, "steering", None)
+        rack = getattr(steering, "rack_travel", 0.0) if rack is None else rack
+        if rack and not self.axle.steered:
+            raise DescriptionError(
+                "this axle has no rack", where="steer", found=Phrase(f"{rack:g} m")
+            )
+        self.state = self._approach(travel, rack)
+
+    @property
+    def track(self) -> float:
+        """Distance of the contact points at design, m."""
+        left, right = self.axle.assembly.wheels
+        return float(left.centre[1, 0].real - right.centre[1, 0].real)
+
+    def _approach(self, travel: float, rack: float) -> State:
+        """Move pads and rack from the design position to where tests begin."""
+        steps = 1 + int(np.ceil(max(abs(travel), abs(rack)) / _APPROACH))
+        share = np.linspace(0.0, 1.0, steps) if steps > 1 else np.ones(1)
+        targets = np.zeros((steps, len(self.controls)))
+        for k, name in enumerate(self.controls):
+            if name == "rack":
+                targets[:, k] = share * rack
+            else:
+                targets[:, k] = self.design[self._wheel(name)] + share * travel
+        settled, space = self._follow(
+            *self._prescribed(steps), targets, self._no_loads(steps), None
+        )
+        if settled.outcome[-1] != eq.SETTLED:
+            raise self._failure("the body at ride height")
+        values = targets[-1]
+        n = self.bodies
+        start = (space.pose[n : 2 * n].copy(), space.multipliers[1].copy(), space.slipped.copy())
+        heights = np.array([values[self.controls.index(f"{side}.contact")] for side in SIDES])
+        return State(start, heights, rack, settled.multipliers[-1, self.multipliers :])
+
+    # paths -----------------------------------------------------------------------------------------------------------
+
+    def _wheel(self, control: str) -> int:
+        return SIDES.index(control.split(".", maxsplit=1)[0])
+
+    def _prescribed(self, steps: int) -> tuple[Array, Array]:
+        """Mixtures that prescribe the value of every control."""
+        n = len(self.controls)
+        return np.tile(np.eye(n).ravel(), (steps, 1)), np.zeros((steps, n * n))
+
+    def _no_loads(self, steps: int) -> Array:
+        return np.zeros((steps, len(SIDES) * eq.LOADS))
+
+    def path(
+        self, test: KCTest, inputs: Array, held: Held, handwheel: Handwheel, trail: float
+    ) -> eq.Path:
+        """Return mixtures, targets and loads of a test at its inputs."""
+        steps, n = len(inputs), len(self.controls)
+        values, forces = (part.reshape(steps, n, n) for part in self._prescribed(steps))
+        values, forces = values.copy(), forces.copy()
+        targets, loads = np.zeros((steps, n)), self._no_loads(steps).reshape(steps, len(SIDES), -1)
+        at = [self.controls.index(f"{side}.contact") for side in SIDES]
+        targets[:, at] = self.state.heights
+        if self.axle.steered:
+            rack = self.controls.index("rack")
+            targets[:, rack] = self.state.rack
+            if handwheel == "free" and test.kind != "rack":
+                values[:, rack, rack], forces[:, rack, rack] = 0.0, 1.0
+                targets[:, rack] = self.state.forces[rack]
+        if test.kind == "heights":
+            targets[:, at] += inputs[:, None]
+        elif test.kind == "roll":
+            left, right = at
+            values[:, left, right] = -1.0
+            targets[:, left] = self.state.heights[0] - self.state.heights[1] + inputs * self.track
+            values[:, right, right], forces[:, right, left], forces[:, right, right] = 0.0, 1.0, 1.0
+            targets[:, right] = self.state.forces[at].sum()
+        elif held == "load":
+            for k in at:
+                values[:, k, k], forces[:, k, k] = 0.0, 1.0
+                targets[:, k] = self.state.forces[k]
+        if test.kind == "rack":
+            targets[:, self.controls.index("rack")] += inputs
+        for side, share in enumerate(test.shares):
+            load = test.direction * share * inputs
+            if test.kind == "lateral":
+                loads[:, side, 1], loads[:, side, 6] = load, -trail
+            elif test.kind == "aligning":
+                loads[:, side, 2] = load
+            elif test.kind == "longitudinal":
+                loads[:, side, 0 if test.through == "contact_point" else 3] = load
+        return eq.Path(
+            values.reshape(steps, -1), forces.reshape(steps, -1), targets, loads.reshape(steps, -1)
+        )
+
+    def _follow(
+        self,
+        values: Array,
+        forces: Array,
+        targets: Array,
+        loads: Array,
+        start: tuple[Array, Array, Array] | None,
+    ) -> tuple[eq.Settled, eq.Space]:
+        path = eq.Path(values, forces, targets, loads)
+        return eq.settle(self.arrays, path, _NO_SEEDS, self.bodies, self.multipliers, 0, start)
+
+    def run(
+        self, test: KCTest, inputs: Array, held: Held, handwheel: Handwheel, trail: float
+    ) -> tuple[Poses, list[str]]:
+        """Run a test; return its poses, and what must be said about them."""
+        path = self.path(test, inputs, held, handwheel, trail)
+        settled, _ = self._follow(*path, self.state.start)
+        said = [f"{name} is left out" for name in self.axle.left_out]
+        reached = settled.outcome == eq.SETTLED
+        if not reached.all():
+            if reached.sum() < 2:
+                raise self._failure(f"the test {test.name}")
+            last = inputs[reached][-1]
+            said.append(
+                f"no equilibrium beyond {last:g} {test.unit}: the load is more than the mechanism carries"
+            )
+        return Poses(self, settled, path), said
+
+    def _failure(self, what: str) -> SimulationError:
+        """Return the error for a state without equilibrium; it names a motion that nothing holds."""
+        loose = self._loose()
+        if loose:
+            return SimulationError(
+                Phrase("a motion of the axle is not held: {motion}", motion=loose),
+                where="bushings",
+                hint="Give its bushings stiffness in all directions that the joint held.",
+            )
+        return SimulationError(
+            Phrase("no equilibrium was found for {what}", what=what),
+            where="axle",
+            hint="Check springs, stops and bushings, or move less far.",
+        )
+
+    def _loose(self) -> str:
+        """Return the largest motion at design that nothing holds, all forces being zero, or nothing."""
+        data = self.arrays.data.copy()
+        for row, element in zip(data, self.axle.assembly.elements, strict=True):
+            if element.kind == eq.LINE:
+                reach = row[eq.Q : eq.Q + 3] - row[eq.P : eq.P + 3]
+                row[eq.LENGTH], row[eq.PRELOAD] = np.sqrt(reach @ reach), 0.0
+            elif element.kind == eq.BUSHING:
+                row[eq.F : eq.F + 6] = 0.0
+            elif element.kind == eq.TWIST:
+                row[eq.PRELOAD] = 0.0
+        targets = np.zeros((1, len(self.controls)))
+        targets[0, [self.controls.index(f"{side}.contact") for side in SIDES]] = self.design
+        path = eq.Path(*self._prescribed(1), targets, self._no_loads(1))
+        arrays = self.arrays._replace(data=data)
+        settled, space = eq.settle(arrays, path, _NO_SEEDS, self.bodies, self.multipliers, 0)
+        if settled.outcome[0] != eq.SINGULAR:
+            return ""
+        rows = 1.0 / np.maximum(np.abs(space.matrix).max(axis=1), 1e-300)
+        scaled = space.matrix * rows[:, None]
+        columns = 1.0 / np.maximum(np.abs(scaled).max(axis=0), 1e-300)
+        motion = np.abs(np.linalg.svd(scaled * columns)[2][-1] * columns)[: 6 * self.bodies]
+        return str(self.axle.assembly.names()[int(np.argmax(motion))])
+
+
+def _lowest(wheel: Array) -> float:
+    return float(wheel[2] - wheel[6] * np.sqrt(1.0 - wheel[5] ** 2))
+
+
+def corner_of(axle: Rig, which: str | None) -> Corner:
+    """Return the corner of an axle: the rig itself, or an axle of a car."""
+    if isinstance(axle, FullCar3D):
+        if which not in ("front", "rear"):
+            raise DescriptionError(
+                "which axle of the car is to be tested?",
+                where="axle",
+                found=Phrase(str(which)),
+                allowed="front, rear",
+            )
+        return check_corner(getattr(axle, which))
+    return check_corner(axle)
+
+
+def loop(end: float, points: int, *, one_sided: bool) -> Array:
+    """Return inputs from zero to the end of the range and back, through its opposite unless it is one-sided."""
+    if one_sided:
+        half = points // 2
+        up = end * np.arange(half + 1) / half
+        return np.concatenate([up, up[:-1][::-1]])
+    quarter = (points - 1) // 4
+    ahead = end * np.arange(quarter + 1) / quarter
+    return np.concatenate([ahead, ahead[:-1][::-1], -ahead[1:], -ahead[:-1][::-1]])
+
+
+def kc_test(
+    axle: Rig,
+    test: str,
+    *,
+    to: float | str | None = None,
+    points: int = 41,
+    travel: float | str = 0.0,
+    steer: float | str | None = None,
+    held: Held = "load",
+    handwheel: Handwheel = "locked",
+    trail: float | str | None = None,
+    on: Literal["front", "rear"] | None = None,
+) -> xr.Dataset:
+    """Run a test of a kinematics-and-compliance laboratory on an axle: the body held, its pads moved or loaded.
+
+    The axle is a corner and its mirror image, with all bushings, mounts and springs of the description. Each sample is
+    an exact static equilibrium with large motions; the input runs from zero to the end of the range, to its opposite
+    and back. Dry friction opens the curves to loops.
+
+    Parameters
+    ----------
+    axle : Rig
+        A corner with hardpoints, or a 3-D car.
+    test : str
+        A name of ``jounce.kc.TESTS``: ``"bounce"``, ``"roll"``, ``"steer"``, ``"lateral-in-phase"``,
+        ``"lateral-opposed"``, ``"braking"``, ``"aligning-opposed"``, ...
+    to : float or str, optional
+        End of the range (m, rad, N or N m, or with a unit); by default the usual one of the test.
+    points : int
+        Number of samples of the loop.
+    travel : float or str
+        Height of both pads above the design position before the test, m.
+    steer : float or str, optional
+        Rack travel before the test, m, to the left; by default that of the description.
+    held : {"load", "height"}
+        What tests with horizontal forces and moments keep: each wheel's vertical load, or the height of its pad.
+    handwheel : {"locked", "free"}
+        Whether the handwheel holds the rack.
+    trail : float or str, optional
+        Distance behind the contact point at which lateral forces act, m; by default that of the test.
+    on : {"front", "rear"}, optional
+        Axle of a car.
+
+    Returns
+    -------
+    xarray.Dataset
+        On ``sample``, with ``input`` (SI): for ``left.`` and ``right.`` the angles toe, camber, steer and spin (rad),
+        displacements of wheel centre and contact point (m), forces of road, springs, links and bushings (N, N m), and
+        for the axle rack travel and force. ISO 8855 axes: x forward, y left, z up. Not a number where there is no
+        equilibrium.
+
+    Raises
+    ------
+    DescriptionError
+        If the test is unknown, or the axle cannot do it.
+    SimulationError
+        If there is no equilibrium at ride height, or a motion that nothing holds.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> sheet = jn.kc_test(jn.load("generic-mcpherson"), "bounce", to="40 mm")
+    >>> bool(sheet["left.camber"].max() > sheet["left.camber"].min())
+    True
+    """
+    if test not in TESTS:
+        raise unknown(test, TESTS, what="test", where="test")
+    rig, kind = corner_of(axle, on), TESTS[test]
+    rack = None if steer is None else to_si(steer, "m", where="steer")
+    laboratory = Laboratory(rig, to_si(travel, "m", where="travel"), rack)
+    return run_test(laboratory, kind, to, points, held, handwheel, trail)
+
+
+def run_test(
+    laboratory: Laboratory,
+    test: KCTest,
+    to: float | str | None = None,
+    points: int = 41,
+    held: Held = "load",
+    handwheel: Handwheel = "locked",
+    trail: float | str | None = None,
+) -> xr.Dataset:
+    """Run a test in a laboratory."""
+    if test.kind == "rack" and not laboratory.axle.steered:
+        raise DescriptionError(
+            "this axle has no rack, so it cannot be steered",
+            where=test.name,
+            allowed="an axle with a tie rod or toe link",
+        )
+    end = test.range if to is None else to_si(to, test.unit, where="to")
+    if points < _FEWEST:
+        raise DescriptionError(
+            "too few samples",
+            where="points",
+            found=Phrase(str(points)),
+            allowed=f"at least {_FEWEST}",
+        )
+    inputs = loop(end, points, one_sided=test.one_sided)
+    behind = test.trail if trail is None else to_si(trail, "m", where="trail")
+    poses, said = laboratory.run(test, inputs, held, handwheel, behind)
+    variables = quantities(poses)
+    label = {"units": test.unit, "long_name": test.what, "positive": test.positive}
+    import xarray as xr
+
+    axes = xr.Dataset(coords={"input": ("sample", inputs, label)})
+    attributes = {
+        "test": test.name,
+        "model": str(getattr(laboratory.rig, "model", "")),
+        "held": held,
+        "handwheel": handwheel,
+        "track": laboratory.track,
+        "findings": "; ".join(said),
+        "convention": "ISO 8855 axes: x forward, y left, z up; toe-in and top outward positive",
+    }
+    return dataset(variables, axes, attributes)
+
+
+def kc_tests(
+    axle: Rig, tests: tuple[str, ...] | None = None, **options: object
+) -> dict[str, xr.Dataset]:
+    """Run all tests of a sheet that the axle can do, or those given; see `kc_test` for the options.
+
+    Examples
+    --------
+    >>> import jounce as jn
+    >>> list(jn.kc_tests(jn.load("semi-trailing-arm"), ("bounce", "braking")))
+    ['bounce', 'braking']
+    """
+    which = options.pop("on", None)
+    rig = corner_of(axle, which)  # type: ignore[arg-type]
+    rack = options.pop("steer", None)
+    travel = to_si(options.pop("travel", 0.0), "m", where="travel")
+    laboratory = Laboratory(
+        rig,
+        travel,
+        None if rack is None else to_si(rack, "m", where="steer"),
+    )
+    for name in tests or ():
+        if name not in TESTS:
+            raise unknown(name, TESTS, what="test", where="tests")
+    names = tests or [name for name in TESTS if laboratory.axle.steered or name != "steer"]
+    return {name: run_test(laboratory, TESTS[name], **options) for name in names}  # type: ignore[arg-type]

@@ -1,0 +1,224 @@
+"""What a K&C rig measures at each sample: angles and places of the wheels, forces of road, springs, links, bushings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from jounce.core.types import Array
+from jounce.kc.assembly import GROUND, Numbers
+from jounce.kc.axle import SIDES
+from jounce.kernel import equilibrium as eq
+
+if TYPE_CHECKING:
+    from jounce.kc.laboratory import Laboratory
+
+_DIRECTIONS = ("force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z")
+ANGLES = {
+    "toe": ("toe angle", "toe-in"),
+    "camber": ("camber angle", "top outward"),
+    "steer": ("steer angle", "about +z"),
+    "caster": ("caster angle", "top rearward"),
+    "spin": ("rotation of the wheel carrier about the wheel's axis", "as in rolling forward"),
+}
+"""Angles of a wheel, rad: label and sign."""
+_AXES = (("x", "forward"), ("y", "to the left"), ("z", "up"))
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Settled samples of a test."""
+
+    laboratory: Laboratory
+    settled: eq.Settled
+    path: eq.Path
+
+    def places(self) -> Array:
+        """Poses of all bodies, shape (samples, bodies, 12)."""
+        return self.settled.poses.reshape(len(self.settled.poses), -1, 12)
+
+    def multipliers(self, element: int) -> Array:
+        """Multipliers of a constraint, shape (samples, rows)."""
+        assembly = self.laboratory.axle.assembly
+        first, count = assembly.order()[element], eq.ROWS[assembly.elements[element].kind]
+        return self.settled.multipliers[:, first : first + count]
+
+    def control_force(self, name: str) -> Array:
+        """Force that a control exerts, N."""
+        place = self.laboratory.multipliers + self.laboratory.controls.index(name)
+        return self.settled.multipliers[:, place]
+
+
+def moved(pose: Numbers, point: Numbers) -> Numbers:
+    """Return a point of the design moved with poses (..., 12), shape (..., 3)."""
+    return np.asarray(pose[..., :3] + turned(pose, point))
+
+
+def turned(pose: Numbers, direction: Numbers) -> Numbers:
+    """Return a direction of the design turned with poses (..., 12), shape (..., 3)."""
+    rows = pose[..., 3:].reshape(*pose.shape[:-1], 3, 3)
+    return np.asarray((rows * direction[..., None, :]).sum(axis=-1))
+
+
+def wheel_quantities(
+    pose: Numbers, centre: Numbers, axis: Numbers, radius: Numbers, side: float
+) -> dict[str, Numbers]:
+    """Return angles (rad) and displacements (m) of a wheel; works on complex numbers, too.
+
+    ``pose`` has the shape (n, 12), ``centre`` and ``axis`` (..., 3); ``side`` is 1 for the left wheel, else -1.
+    """
+    now, spin_axis = moved(pose, centre), turned(pose, axis)
+    leftward = side * spin_axis
+    level = np.sqrt(1.0 - leftward[..., 2] ** 2)
+    ahead = np.stack([leftward[..., 1], -leftward[..., 0], 0.0 * level], axis=-1) / level[..., None]
+    mark = np.stack([side * axis[..., 1], -side * axis[..., 0], 0.0 * axis[..., 0]], axis=-1)
+    mark = mark / np.sqrt((mark**2).sum(axis=-1))[..., None]
+    mark = turned(pose, mark)
+    upward = _cross(ahead, leftward)
+    steer = _angle(-leftward[..., 0], leftward[..., 1])
+    down = _down(spin_axis)
+    contact = now + radius[..., None] * down
+    contact_at_design = centre + radius[..., None] * _down(axis)
+    out = {
+        "toe": -side * steer,
+        "camber": -_arcsine(spin_axis[..., 2]),
+        "steer": steer,
+        "spin": _angle(-(mark * upward).sum(axis=-1), (mark * ahead).sum(axis=-1)),
+    }
+    for name, change in (
+        ("wheel_centre", now - centre),
+        ("contact_point", contact - contact_at_design),
+    ):
+        out |= {f"{name}_{axis_name}": change[..., i] for i, (axis_name, _) in enumerate(_AXES)}
+    return out
+
+
+def _down(axis: Numbers) -> Numbers:
+    z = axis[..., 2]
+    level = np.sqrt(1.0 - z**2)
+    parts = [axis[..., 0] * z / level, axis[..., 1] * z / level, -level]
+    return np.stack(parts, axis=-1)
+
+
+def _cross(a: Numbers, b: Numbers) -> Numbers:
+    parts = [
+        a[..., (i + 1) % 3] * b[..., (i + 2) % 3] - a[..., (i + 2) % 3] * b[..., (i + 1) % 3]
+        for i in range(3)
+    ]
+    return np.stack(parts, axis=-1)
+
+
+def _angle(sine: Numbers, cosine: Numbers) -> Numbers:
+    """Return the angle of two numbers; of complex ones with its exact slope as imaginary part."""
+    angle = np.arctan2(np.real(sine), np.real(cosine))
+    if not np.iscomplexobj(sine):
+        return np.asarray(angle)
+    square = np.real(sine) ** 2 + np.real(cosine) ** 2
+    slope = np.real(cosine) * np.imag(sine) - np.real(sine) * np.imag(cosine)
+    return np.asarray(angle + 1j * slope / square)
+
+
+def _arcsine(value: Numbers) -> Numbers:
+    return _angle(value, np.sqrt(1.0 - value**2))
+
+
+def caster_of(lower: Numbers, upper: Numbers) -> Numbers:
+    """Return the caster angle of the line through two points, rad, top rearward positive."""
+    line = upper - lower
+    return _angle(-line[..., 0], line[..., 2])
+
+
+def quantities(poses: Poses) -> dict[str, xr.Variable]:
+    """Return all quantities of a test as variables on ``sample``."""
+    axle, places = poses.laboratory.axle, poses.places()
+    out: dict[str, xr.Variable] = {}
+
+    def keep(name: str, values: Array, unit: str, label: str, positive: str = "") -> None:
+        attributes = {"units": unit, "long_name": label}
+        if positive:
+            attributes["positive"] = positive
+        out[name] = xr.Variable("sample", np.ascontiguousarray(values), attributes)
+
+    for k, side in enumerate(SIDES):
+        wheel = axle.assembly.wheels[k]
+        centre, direction = (np.real(part).T[0] for part in (wheel.centre, wheel.axis))
+        pose = places[:, wheel.body]
+        found = wheel_quantities(
+            pose, centre, direction, np.real(wheel.radius)[:1], 1.0 if side == "left" else -1.0
+        )
+        if side in axle.steering_axis:
+            ends = [
+                np.real(point).T[0]
+                if body == GROUND
+                else moved(places[:, body], np.real(point).T[0])
+                for body, point in axle.steering_axis[side]
+            ]
+            found["caster"] = caster_of(*np.broadcast_arrays(*ends, pose[:, :3])[:2])
+        for name, (label, positive) in ANGLES.items():
+            if name in found:
+                keep(f"{side}.{name}", found[name], "rad", label, positive)
+        for name, label in (("wheel_centre", "wheel centre"), ("contact_point", "contact point")):
+            for axis, positive in _AXES:
+                values = found[f"{name}_{axis}"]
+                keep(f"{side}.{name}_{axis}", values, "m", f"{label}, from design", positive)
+        _keep_road(poses, k, side, keep)
+    _keep_elements(poses, keep)
+    if axle.steered:
+        place = next(i for i, e in enumerate(axle.assembly.elements) if e.is_control)
+        element = axle.assembly.elements[place]
+        at, direction = (
+            np.real(element.data[:3, 0]),
+            np.real(element.data[eq.ALONG : eq.ALONG + 3, 0]),
+        )
+        rack = axle.bodies["rack"]
+        travel = (moved(places[:, rack], at) - at) @ direction
+        keep("rack_travel", travel, "m", "travel of the rack on the body", "to the left")
+        keep(
+            "rack_force",
+            poses.control_force("rack"),
+            "N",
+            "force of the handwheel on the rack",
+            "to the left",
+        )
+    return out
+
+
+def _keep_road(poses: Poses, k: int, side: str, keep: Any) -> None:
+    loads = poses.path.loads.reshape(len(poses.path.loads), len(SIDES), -1)[:, k]
+    reached = poses.settled.outcome == eq.SETTLED
+    vertical = poses.control_force(f"{side}.contact")
+    whole = np.where(reached[:, None], loads, np.nan)
+    road = "force of the road on the tyre"
+    keep(f"{side}.longitudinal_force", whole[:, 0] + whole[:, 3], "N", road, "forward")
+    keep(f"{side}.lateral_force", whole[:, 1] + whole[:, 4], "N", road, "to the left")
+    keep(f"{side}.vertical_force", vertical, "N", road, "up")
+    keep(
+        f"{side}.aligning_moment", whole[:, 2], "N*m", "moment of the road on the tyre", "about +z"
+    )
+
+
+def _keep_elements(poses: Poses, keep: Any) -> None:
+    """Keep forces of springs, links and bushings."""
+    assembly = poses.laboratory.axle.assembly
+    forces = poses.settled.forces.reshape(len(poses.settled.forces), -1, 6)
+    for i, element in enumerate(assembly.elements):
+        name = element.name
+        if element.kind == eq.BUSHING:
+            for k, direction in enumerate(_DIRECTIONS):
+                keep(
+                    f"{name}.{direction}",
+                    forces[:, i, k],
+                    "N" if k < 3 else "N*m",
+                    "load of the bushing on the wheel's side, along its axes",
+                )
+        elif element.kind == eq.LINE:
+            keep(f"{name}.force", forces[:, i, 0], "N", "force, compression positive")
+            keep(f"{name}.length", forces[:, i, 1], "m", "length")
+        elif element.kind == eq.TWIST:
+            keep(f"{name}.torque", -forces[:, i, 0], "N*m", "torque against the twist")
+            keep(f"{name}.twist", forces[:, i, 1], "rad", "twist from design")
+        elif element.kind == eq.DISTANCE:
+            keep(f"{name}.force", poses.multipliers(i)[:, 0], "N", "force, compression positive")

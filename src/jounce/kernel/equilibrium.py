@@ -1,0 +1,160 @@
+"""Static equilibrium of bodies between elastic elements and ideal joints, along a path of loads and controls.
+
+A body has a pose: 12 numbers, its displacement from the design position and its rotation matrix, so that a point of the
+design position ``p`` is at ``t + R p``. Its unknowns are a small displacement and a rotation about the ground's
+origin. Forces and moments refer to that origin, too; an element then depends on a body through its points and
+directions alone, and moving a point of the design is moving the body for that element.
+
+Controls are heights of contact points and distances along ``DOT`` elements. Each has a multiplier, the force that it
+exerts, and a step prescribes a mixture of values and forces: ``values @ c + forces @ multipliers = target``.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from jounce.kernel.arrays import Block, IntegerMatrix, Integers, Matrix, Vector
+from jounce.kernel.call import Loop
+
+BUSHING, LINE, TWIST, POINT, DOT, ALIGN, DISTANCE = range(7)
+"""Kinds of elements; the first three are elastic, the others are constraints with multipliers."""
+ROWS = {BUSHING: 0, LINE: 0, TWIST: 0, POINT: 3, DOT: 1, ALIGN: 1, DISTANCE: 1}
+"""Number of multipliers of each kind."""
+WIDTH = 48
+"""Numbers of an element. ``P``, ``A`` ... are the first of each group:
+
+BUSHING
+    point P (3), axes A (3 x 3, in rows), stiffness K (6), preload F (6), friction S (6), stiffness before it slips B
+    (6), factor C of each curve (6).
+LINE
+    points P and Q, length L at which a law is zero, sign of deflection, preload, friction, stiffness before it slips,
+    rate K, factor of the curve. Force, pushing apart: ``preload + sign * law(sign * (L - length))``.
+TWIST
+    axis P and a direction Q across it on both bodies, angle L at which torque is zero, stiffness K.
+POINT, DISTANCE
+    points P and Q, and the length L of a distance.
+DOT
+    points P and Q, direction A on the first body, value L.
+ALIGN
+    direction A on the first body, P on the second, cosine L.
+"""
+P, A, K, F, S, B, C = 0, 3, 12, 18, 24, 30, 36
+Q, LENGTH, SIGN, PRELOAD, SLIP, HOLD, RATE, FACTOR, ALONG = 3, 6, 7, 8, 9, 10, 11, 12, 13
+LINEAR, POLYNOMIAL, POWER, TABLE, STOP = range(5)
+"""Laws: ``k x`` (the element's own stiffness), polynomial without constant, power, table, bump stop."""
+LOADS = 8
+"""Loads of a wheel: x, y of the force at the contact point, moment about z, x, y, z of the force at the wheel centre,
+x, y of the distance from the contact point to where its horizontal force acts."""
+WHEEL = 8
+"""Numbers of a wheel: centre (3), axis (3), radius; the last is free."""
+SETTLED, NO_EQUILIBRIUM, SINGULAR, NOT_TRIED = range(4)
+"""Outcome of a step."""
+
+
+class Assembly(NamedTuple):
+    """Bodies and elements.
+
+    ``kinds`` has for each element its kind, the two bodies (-1 is the ground), its first row of multipliers, and a law
+    for each direction (-1: linear). ``wheels`` has numbers of each wheel, ``carriers`` its body. ``controls`` has for
+    each control 0 and a wheel, or 1 and a DOT element without a row of its own.
+    """
+
+    kinds: IntegerMatrix
+    data: Matrix
+    laws: IntegerMatrix
+    law_data: Vector
+    carriers: Integers
+    wheels: Matrix
+    controls: IntegerMatrix
+
+
+class Path(NamedTuple):
+    """Steps: mixture of control values and forces, targets (steps, controls) and loads (steps, wheels * LOADS)."""
+
+    values: Matrix
+    forces: Matrix
+    targets: Matrix
+    loads: Matrix
+
+
+class Settled(NamedTuple):
+    """Equilibria.
+
+    Poses (steps, bodies * 12), multipliers and controls' forces (steps, n), forces of elements (steps, elements * 6),
+    outcome of each step, and the slopes of all unknowns by each seed's parameter (steps, n, parameters).
+    """
+
+    poses: Matrix
+    multipliers: Matrix
+    forces: Matrix
+    outcome: Integers
+    slopes: Block
+
+
+class Seeds(NamedTuple):
+    """Changes of elements' and wheels' numbers by parameters: (element or -1 - wheel, parameter), numbers of each."""
+
+    places: IntegerMatrix
+    changes: Matrix
+
+
+class Space(NamedTuple):
+    """Scratch: matrix, right-hand sides, pivots, poses, multipliers, slipped deflections, work."""
+
+    matrix: Matrix
+    right: Matrix
+    pivots: Integers
+    pose: Matrix
+    multipliers: Matrix
+    slipped: Matrix
+    now: Vector
+    work: Matrix
+
+
+_settle = Loop("equilibrium")
+
+
+def settle(
+    assembly: Assembly,
+    path: Path,
+    seeds: Seeds,
+    bodies: int,
+    multipliers: int,
+    parameters: int,
+    start: tuple[Matrix, Vector, Matrix] | None = None,
+) -> tuple[Settled, Space]:
+    """Find equilibrium at each step, continued from the one before; the first from the design or a ``start``.
+
+    A ``start`` has pose (bodies, 12), multipliers, and slipped deflections (elements, 6).
+    """
+    steps, controls = path.targets.shape
+    elements = len(assembly.kinds)
+    n = 6 * bodies + multipliers + controls
+    settled = Settled(
+        np.full((steps, 12 * bodies), np.nan),
+        np.full((steps, multipliers + controls), np.nan),
+        np.full((steps, 6 * elements), np.nan),
+        np.full(steps, NOT_TRIED, dtype=np.int64),
+        np.zeros((steps if parameters else 0, n, parameters)),
+    )
+    design = np.zeros((bodies, 12))
+    design[:, 3] = design[:, 7] = design[:, 11] = 1.0
+    pose, before, slipped = start or (
+        design,
+        np.zeros(multipliers + controls),
+        np.zeros((elements, 6)),
+    )
+    space = Space(
+        np.zeros((n, n)),
+        np.zeros((n, 1 + parameters)),
+        np.zeros(n, dtype=np.int64),
+        np.concatenate([pose, pose, pose]),
+        np.stack([before] * 3),
+        np.concatenate([slipped, slipped]),
+        np.zeros(controls + path.loads.shape[1]),
+        np.zeros((12, 12)),
+    )
+    _settle(assembly, path, seeds, settled, space)
+    return settled, space

@@ -1,0 +1,201 @@
+"""Tests on the K&C rig: poses of ideal joints, closed forms, loops, exact slopes, and refusals."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.core.errors import DescriptionError, SimulationError
+from jounce.kc.axle import BuiltAxle
+from jounce.kc.laboratory import Laboratory, loop
+from jounce.kc.tests import TESTS
+from jounce.kernel import equilibrium as eq
+
+RIGS = (
+    "generic-mcpherson",
+    "reference-double-wishbone",
+    "sedan-multi-link",
+    "semi-trailing-arm",
+    "formula-student-front",
+)
+SOFT = {
+    "stiffness": ["8 kN/mm", "6 kN/mm", "3 kN/mm"],
+    "rotational_stiffness": ["10 N*m/deg"] * 3,
+}
+EVERYWHERE = (
+    "lower_arm_front",
+    "lower_arm_rear",
+    "upper_arm_front",
+    "upper_arm_rear",
+    "lower_ball_joint",
+    "upper_ball_joint",
+    "tie_rod_inner",
+    "tie_rod_outer",
+    "strut_bottom",
+    "strut_top",
+)
+
+
+def soft(name: str = "reference-double-wishbone", points=EVERYWHERE, **bushing) -> jn.Rig:
+    return jn.load(name).with_changes({"bushings": dict.fromkeys(points, SOFT | bushing)})
+
+
+@pytest.mark.parametrize("name", RIGS)
+def test_ideal_joints_move_as_the_kinematics_say(name: str) -> None:
+    rig = jn.load(name)
+    test = jn.kc_test(rig, "bounce", to="40 mm")
+    travel = test["left.wheel_centre_z"].values
+    sweep = jn.sweep_travel(rig, np.unique(np.round(travel, 12)))
+    for quantity in ("toe", "camber", "caster"):
+        if quantity in sweep and f"left.{quantity}" in test:
+            want = np.interp(travel, sweep["wheel_travel"], sweep[quantity])
+            assert test[f"left.{quantity}"].values == pytest.approx(want, abs=1e-12)
+            right = test[f"right.{quantity}"].values
+            assert right == pytest.approx(want, abs=1e-12)
+
+
+def test_the_loads_are_carried_and_work_is_stored() -> None:
+    """Work of the pads and loads over a closed loop without friction is zero, and a force moves its point along."""
+    rig = soft()
+    test = jn.kc_test(rig, "lateral-opposed", points=81)
+    force, patch = test["left.lateral_force"].values, test["left.contact_point_y"].values
+    assert np.ptp(patch) > 1e-3
+    assert np.trapezoid(force, patch) == pytest.approx(
+        0.0, abs=1e-9 * np.ptp(force) * np.ptp(patch)
+    )
+    assert jn.kc_slopes(test)["slope"].sel(quantity="left.contact_point_y") > 0.0
+    total = test["left.vertical_force"].values
+    assert total == pytest.approx(np.full_like(total, total[0]), rel=1e-9)
+
+
+def test_a_trailing_arm_yields_as_two_springs() -> None:
+    """Soft bushings far stiffer in turning than in shear: lateral compliance at the axis is 1 / (2 k)."""
+    points = ("arm_inner", "arm_outer")
+    rig = soft("semi-trailing-arm", points, rotational_stiffness=["1e9 N*m/rad"] * 3)
+    rig = rig.with_changes({"strut.spring.rate": 1.0})
+    test = jn.kc_test(rig, "lateral-in-phase", to="10 N", held="height")
+    moved = jn.kc_slopes(test).sel(quantity="left.wheel_centre_y")
+    stiff = np.linalg.inv(2.0 * np.diag([8e6, 6e6, 3e6]))[1, 1]
+    assert float(moved["slope"]) == pytest.approx(stiff, rel=0.02)
+
+
+def test_left_and_right_mirror_each_other() -> None:
+    rig = soft(x_axis=[1.0, 0.3, 0.1], preload=["10 N", "150 N", "5 N"])
+    test = jn.kc_test(rig, "lateral-opposed")
+    for quantity in ("toe", "camber", "spin", "wheel_centre_x", "vertical_force"):
+        left, right = test[f"left.{quantity}"].values, test[f"right.{quantity}"].values
+        assert left == pytest.approx(right, abs=1e-9 * np.abs(left).max())
+    assert test["left.contact_point_y"].values == pytest.approx(
+        -test["right.contact_point_y"].values
+    )
+
+
+def test_friction_opens_the_loop() -> None:
+    rig = soft(friction=["60 N", "60 N", "60 N"])
+    test = jn.kc_test(rig, "lateral-in-phase", to="1 kN")
+    without = jn.kc_slopes(jn.kc_test(soft(), "lateral-in-phase", to="1 kN"))
+    with_friction = jn.kc_slopes(test)
+    toe = with_friction.sel(quantity="left.toe"), without.sel(quantity="left.toe")
+    assert float(toe[0]["hysteresis"]) > 0.02
+    assert float(toe[1]["hysteresis"]) < 1e-6
+
+
+@pytest.mark.parametrize("name", TESTS)
+def test_every_test_starts_and_returns_where_it_was(name: str) -> None:
+    test = jn.kc_test(soft(), name)
+    assert test["input"].values[0] == test["input"].values[-1] == 0.0
+    assert test.sizes["sample"] == 41
+    for quantity in ("left.toe", "right.camber", "left.vertical_force"):
+        values = test[quantity].values
+        assert np.isfinite(values).all()
+        assert values[0] == pytest.approx(values[-1], abs=1e-9)
+    assert test["left.toe"].attrs["units"] == "rad"
+
+
+def test_inboard_brakes_leave_the_carrier_unturned() -> None:
+    rig = soft()
+    outboard, inboard = (jn.kc_test(rig, name) for name in ("braking", "braking-inboard"))
+    spin = [np.abs(test["left.spin"].values).max() for test in (outboard, inboard)]
+    assert spin[0] > 3.0 * spin[1]
+
+
+def test_a_free_handwheel_lets_the_rack_move() -> None:
+    rig = soft()
+    locked, free = (
+        jn.kc_test(rig, "aligning-in-phase", handwheel=way) for way in ("locked", "free")
+    )
+    assert np.ptp(locked["rack_travel"].values) < 1e-9
+    assert np.ptp(free["rack_travel"].values) > 1e-4
+    assert np.ptp(free["rack_force"].values) < 1e-6
+
+
+def test_slopes_by_hardpoints_and_stiffnesses_are_exact() -> None:
+    names = ("lower_arm_front", "tie_rod_inner", "upper_ball_joint", "strut_bottom")
+    rig = soft(points=names).with_changes({"links": {"tie_rod": {"stiffness": "50 kN/mm"}}})
+    lists = ("lower_ball_joint", "tie_rod_outer", "strut_top", "wheel_centre", "lower_arm_front")
+    parameters = [f"hardpoints.{name}[{i}]" for name in lists for i in range(3)]
+    parameters += ["bushings.lower_arm_front.stiffness[1]", "links.tie_rod.stiffness", "wheel.toe"]
+    laboratory, test = Laboratory(rig), TESTS["lateral-left"]
+    path = laboratory.path(test, loop(1000.0, 9, one_sided=False), "height", "locked", 0.0)
+    seeds = BuiltAxle(rig, parameters).assembly.seeds()
+
+    def settle(which: jn.Rig, own: eq.Seeds, count: int) -> eq.Settled:
+        arrays = BuiltAxle(which).assembly.arrays()[0]
+        return eq.settle(arrays, path, own, laboratory.bodies, laboratory.multipliers, count)[0]
+
+    slopes = settle(rig, seeds, len(parameters)).slopes[2, : 6 * laboratory.bodies]
+    pose = settle(rig, seeds, len(parameters)).poses[2].reshape(-1, 12)
+    none = eq.Seeds(np.zeros((0, 2), dtype=np.int64), np.zeros((0, eq.WIDTH)))
+    for column, path_name in enumerate(parameters):
+        value = rig.parameters()[path_name]
+        step = 1e-4 * max(abs(value), 1e-2)
+        ends = []
+        for sign in (1.0, -1.0):
+            changed = rig.with_changes(_one(rig, path_name, value + sign * step))
+            ends.append(settle(changed, none, 0).poses[2].reshape(-1, 12)[:, :3])
+        want = (ends[0] - ends[1]) / (2.0 * step)
+        motion = slopes[:, column].reshape(-1, 6)
+        exact = motion[:, :3] + np.cross(motion[:, 3:], pose[:, :3])
+        assert exact == pytest.approx(want, abs=1e-4 * np.abs(want).max() + 1e-14), path_name
+
+
+def _one(rig: jn.Rig, path: str, value: float) -> dict:
+    if not path.endswith("]"):
+        return {path: value}
+    name, i = path[:-1].split("[")
+    part = rig
+    for key in name.split("."):
+        part = getattr(part, key)
+    return {name: [value if k == int(i) else old for k, old in enumerate(part)]}
+
+
+def test_a_loose_motion_is_named() -> None:
+    rig = soft(points=("lower_arm_front", "lower_arm_rear"), stiffness=["0 N/m", "0 N/m", "0 N/m"])
+    with pytest.raises(SimulationError, match=r"not held: (left|right)\."):
+        jn.kc_test(rig, "bounce")
+
+
+def test_a_load_beyond_the_mechanism_says_until_where_it_came() -> None:
+    test = jn.kc_test(jn.load("reference-double-wishbone"), "bounce", to="400 mm")
+    assert "no equilibrium beyond" in test.attrs["findings"]
+    assert np.isnan(test["left.toe"].values).any()
+    assert np.isfinite(test["left.toe"].values[:4]).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "test", "options", "message"),
+    [
+        ("reference-double-wishbone", "lateral", {}, "unknown test"),
+        ("semi-trailing-arm", "steer", {}, "no rack"),
+        ("reference-double-wishbone", "bounce", {"points": 3}, "too few samples"),
+        ("sedan-full-car-3d", "bounce", {}, "which axle"),
+        ("kart-quarter-car", "bounce", {}, "lumped"),
+        ("reference-double-wishbone", "bounce", {"to": "3 kN"}, "to"),
+    ],
+)
+def test_what_cannot_be_tested_is_refused(
+    name: str, test: str, options: dict, message: str
+) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        jn.kc_test(jn.load(name), test, **options)
