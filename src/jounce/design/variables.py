@@ -18,11 +18,13 @@ _PARTS = frozenset(
         "anti_roll_bar",
         "torsion_bar",
         "bushings",
+        "subframe",
+        "housing",
         "hardpoints",
     ]
 )
 _RATES = frozenset(("spring_rate", "damping_coefficient", "anti_roll_bar_rate"))
-_GIVEN = re.compile(r"\.(deflection|velocity|length)\[\d+\]$|\.youngs_modulus$")
+_GIVEN = re.compile(r"\.(deflection|angle|velocity|length)\[\d+\]$|\.youngs_modulus$")
 """Abscissas of tables, and the material of a blade."""
 _WORD = re.compile(r"\[\d+\]|\.")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import casadi as ca
@@ -14,6 +15,8 @@ from jounce.mechanics.mechanism import Mechanism
 from jounce.mechanics.rotations import rotation_vector, unit
 from jounce.mechanics.system import System
 
+Curves = Callable[[int, ca.SX], tuple[ca.SX, ca.SX] | None]
+"""Resistance (N, N m) and energy (J) of a bushing's curve in direction 0 to 5 at a displacement; None without it."""
 _NONE = ca.SX(3, 1)
 _SOFTEST = 1e-9  # N/m: replaces zero stiffness in the compliance along a rod
 
@@ -42,10 +45,10 @@ class Deflection:
 
 @dataclass(frozen=True, eq=False)
 class ElasticJoint(Between):
-    """An elastic joint in six directions along the axes of its first body, unloaded in the design pose.
+    """An elastic joint in six directions along the axes of its first body, or along own ``axes`` fixed to it.
 
     Its forces on the two bodies act at the same point and derive from an energy: a common motion of the bodies does no
-    work on it, and an undamped bushing returns all energy.
+    work on it, and an undamped bushing returns all energy. ``curves`` replace its stiffness in some directions.
     """
 
     at: Given = place()
@@ -53,6 +56,10 @@ class ElasticJoint(Between):
     damping: Given = place(unit="N*s/m", at_least=0.0)
     rotational_stiffness: Given = place(unit="N*m/rad", at_least=0.0)
     rotational_damping: Given = place(unit="N*m*s/rad", at_least=0.0)
+    preload: Given = place(None, unit="N")
+    rotational_preload: Given = place(None, unit="N*m")
+    axes: ca.SX | None = None
+    curves: Curves | None = None
     kind = "bushing"
 
     def action(self, system: System) -> Action:
@@ -61,19 +68,44 @@ class ElasticJoint(Between):
         first, second = self.first.frame, self.second.frame
         displacement, rate = _displacement(first, second, self.at)
         rotation, turning = rotation_vector(first.orientation.matrix.T @ second.orientation.matrix)
-        force = -self.stiffness * displacement - self.damping * rate
         spin = first.orientation.unrotate(second.orientation.ground_spin) - first.orientation.spin
-        twist = -self.rotational_stiffness * rotation - self.rotational_damping * (turning @ spin)
-        torque = turning.T @ twist
-        energy = 0.5 * (
-            ca.dot(displacement, self.stiffness * displacement)
-            + ca.dot(rotation, self.rotational_stiffness * rotation)
+        force, bent = self._law(0, displacement, rate, self.stiffness, self.damping, self.preload)
+        twist, twisted = self._law(
+            3,
+            rotation,
+            turning @ spin,
+            self.rotational_stiffness,
+            self.rotational_damping,
+            self.rotational_preload,
         )
+        torque = turning.T @ twist
         power = -ca.dot(force, rate) - ca.dot(torque, spin)
         outward = first.orientation.rotate
         wrenches = self.pair(second.point(self.at).value, outward(force), outward(torque))
-        shown = (displacement, rotation, force, torque, energy, power)
+        shown = (displacement, rotation, force, torque, bent + twisted, power)
         return Action(((rate, force), (spin, torque)), wrenches, shown=shown)
+
+    def _law(
+        self,
+        start: int,
+        displacement: ca.SX,
+        rate: ca.SX,
+        stiffness: ca.SX,
+        damping: ca.SX,
+        preload: ca.SX | None,
+    ) -> tuple[ca.SX, ca.SX]:
+        """Return load on the second body and energy of three directions, ``start`` is the first of them."""
+        if self.axes is not None:
+            displacement, rate = self.axes.T @ displacement, self.axes.T @ rate
+        resistance, energy = stiffness * displacement, 0.5 * stiffness * displacement**2
+        for i in range(3):
+            law = self.curves(start + i, displacement[i]) if self.curves is not None else None
+            if law is not None:
+                resistance[i], energy[i] = law
+        load = -resistance - damping * rate
+        if preload is not None:
+            load, energy = load + preload, energy - preload * displacement
+        return load if self.axes is None else self.axes @ load, ca.sum1(energy)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +116,7 @@ class ElasticRod(Between):
     second_at: Given = place()
     stiffness: Given = place(unit="N/m", at_least=0.0)
     damping: Given = place(unit="N*s/m", at_least=0.0)
+    axes: ca.SX | None = None
     kind = "elastic rod"
 
     def check(self, known: Known) -> None:
@@ -99,7 +132,8 @@ class ElasticRod(Between):
         length = ca.sqrt(ca.dot(reach.value, reach.value))
         rate = ca.dot(reach.value, reach.rate) / length
         firm = self.stiffness + _SOFTEST
-        shares = unit(design) ** 2 / firm
+        along_axes = unit(design) if self.axes is None else self.axes.T @ unit(design)
+        shares = along_axes**2 / firm
         along = 1.0 / ca.sum1(shares)
         loss = along**2 * ca.dot(shares, self.damping / firm)
         tension = along * (length - ca.sqrt(ca.dot(design, design))) + loss * rate
@@ -116,21 +150,23 @@ class SlidingBushing(Between):
     point: Given = place()
     stiffness: Given = place(unit="N/m", at_least=0.0)
     damping: Given = place(unit="N*s/m", at_least=0.0)
+    axes: ca.SX | None = None
     kind = "sliding bushing"
 
     def action(self, system: System) -> Action:
         """Return its effects; force on the second body (N, its axes) and absorbed power (W) are shown to the caller."""
         fixed, own = self.second.frame.point(self.point), self.second.frame.orientation
-        apart = own.unrotate(fixed.value - self.first.frame.point(self.at).value)
-        along = own.unrotate(self.first.frame.direction(self.axis).value)
+        to_own = ca.SX.eye(3) if self.axes is None else self.axes.T
+        apart = to_own @ own.unrotate(fixed.value - self.first.frame.point(self.at).value)
+        along = to_own @ own.unrotate(self.first.frame.direction(self.axis).value)
         slid = ca.dot(along, self.stiffness * apart) / ca.dot(along, self.stiffness * along)
         gap = apart - slid * along
         rate = system.rate_of(gap)
         force = -self.stiffness * gap - self.damping * rate
         return Action(
             ((rate, force),),
-            self.pair(fixed.value, own.rotate(force)),
-            shown=(force, -ca.dot(force, rate)),
+            self.pair(fixed.value, own.rotate(to_own.T @ force)),
+            shown=(to_own.T @ force, -ca.dot(force, rate)),
         )
 
 
@@ -192,6 +228,7 @@ def add_elastic_rod(
     second_at: Vector,
     stiffness: Vector,
     damping: Vector = _NONE,
+    axes: ca.SX | None = None,
 ) -> tuple[ca.SX, ca.SX]:
     """Connect two points by a massless rod with a bushing at its first end; return tension (N) and absorbed power (W).
 
@@ -211,9 +248,11 @@ def add_elastic_rod(
         The ends in the design pose, m.
     stiffness, damping : sequence of float, shape (3,)
         Stiffness and damping of the bushing along the axes of the design pose, N/m and N s/m.
+    axes : casadi.SX, shape (3, 3), optional
+        Own axes of the bushing as columns, unit vectors in the design pose.
     """
     tension, power = mechanism.act(
-        ElasticRod(name, first, second, at, second_at, stiffness, damping)
+        ElasticRod(name, first, second, at, second_at, stiffness, damping, axes)
     ).shown
     return tension, power
 
@@ -227,12 +266,16 @@ def add_sliding_bushing(
     point: ca.SX,
     stiffness: ca.SX,
     damping: ca.SX,
+    axes: ca.SX | None = None,
 ) -> tuple[ca.SX, ca.SX]:
     """Support a point of the second body by a bushing that slides freely along a line of the first.
 
-    Returns the force on the second body (N, in its axes, which are those of the bushing) and the absorbed power (W).
+    The bushing has the axes of the second body, or own ``axes`` fixed to it (columns, in the design pose). Returns the
+    force on the second body (N, in its axes) and the absorbed power (W).
     """
-    law = SlidingBushing("sliding bushing", first, second, at, axis, point, stiffness, damping)
+    law = SlidingBushing(
+        "sliding bushing", first, second, at, axis, point, stiffness, damping, axes
+    )
     force, power = mechanism.act(law).shown
     return force, power
 

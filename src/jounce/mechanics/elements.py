@@ -12,7 +12,14 @@ from dataclasses import dataclass
 import casadi as ca
 
 from jounce.mechanics.system import System
-from jounce.parts.curves import Curve, PolynomialCurve, PowerCurve, TableCurve
+from jounce.parts.bushings import BushingCurve, points_of
+from jounce.parts.curves import (
+    Curve,
+    PolynomialCurve,
+    PowerCurve,
+    RotationalTableCurve,
+    TableCurve,
+)
 from jounce.parts.dampers import DamperLaw, MapDamper
 from jounce.parts.elements import BumpStop, Friction, Spring, Tyre
 
@@ -49,6 +56,51 @@ def table_force(system: System, path: str, variable: str, points: int, x: ca.SX)
             system.switch(f"{path}.{variable}[{i}]", beyond) * (slopes[i] - slopes[i - 1]) * beyond
         )
     return force
+
+
+def bushing_curve(
+    system: System, curve: BushingCurve, path: str, displacement: ca.SX
+) -> tuple[ca.SX, ca.SX]:
+    """Return the resistance (N, N m) of a bushing's curve at a displacement (m, rad), and its energy (J)."""
+    if isinstance(curve, PolynomialCurve):
+        numbers = [
+            system.parameter(f"{path}.coefficients[{i}]") for i in range(len(curve.coefficients))
+        ]
+        energy = sum(c * displacement ** (i + 2) / (i + 2) for i, c in enumerate(numbers))
+        return curve_force(system, curve, path, displacement), energy
+    knots, slopes, first = _segments(system, curve, path)
+    start = displacement - knots[0]
+    load = first + slopes[0] * start
+    energy = first * displacement + 0.5 * slopes[0] * (start**2 - knots[0] ** 2)
+    for i in range(1, len(slopes)):
+        beyond, bend = displacement - knots[i], slopes[i] - slopes[i - 1]
+        past = system.switch(f"{path}[{i}]", beyond)
+        load += past * bend * beyond
+        energy += 0.5 * bend * (past * beyond**2 - ca.fmin(knots[i], 0.0) ** 2)
+    return load, energy
+
+
+def bushing_slope(system: System, curve: BushingCurve, path: str) -> ca.SX:
+    """Return the slope of a bushing's curve at design (N/m, N m/rad); at a kink the mean of both sides."""
+    if isinstance(curve, PolynomialCurve):
+        return system.parameter(f"{path}.coefficients[0]")
+    knots, slopes, _ = _segments(system, curve, path)
+    past = [0.5 * (1.0 - ca.sign(knot)) for knot in knots]
+    return slopes[0] + sum(past[i] * (slopes[i] - slopes[i - 1]) for i in range(1, len(slopes)))
+
+
+def _segments(
+    system: System, curve: TableCurve | RotationalTableCurve, path: str
+) -> tuple[list[ca.SX], list[ca.SX], ca.SX]:
+    """Return knots and slopes of a bushing's table, and its first load."""
+    variable, load = (
+        ("deflection", "force") if isinstance(curve, TableCurve) else ("angle", "torque")
+    )
+    count = len(points_of(curve)[0])
+    knots = [system.parameter(f"{path}.{variable}[{i}]") for i in range(count)]
+    loads = [system.parameter(f"{path}.{load}[{i}]") for i in range(count)]
+    slopes = [(loads[i + 1] - loads[i]) / (knots[i + 1] - knots[i]) for i in range(count - 1)]
+    return knots, slopes, loads[0]
 
 
 def spring_force(system: System, spring: Spring, path: str, deflection: ca.SX) -> ca.SX:

@@ -5,15 +5,18 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import casadi as ca
 
 from jounce.mechanics import Mechanism, System
 from jounce.mechanics.bodies import Body
-from jounce.mechanics.bushings import add_bushing, add_elastic_rod
+from jounce.mechanics.bushings import Curves, Deflection, ElasticJoint, add_elastic_rod
+from jounce.mechanics.elements import bushing_curve, bushing_slope
 from jounce.mechanics.frames import Carrier, Moving
 from jounce.mechanics.loads import ForceBetween
 from jounce.mechanics.rotations import normals, unit
+from jounce.parts.bushings import DIRECTIONS, REVERSED
 from jounce.parts.corners import Corner
 
 
@@ -310,19 +313,88 @@ class Linkage(Suspension):
 
     def cushion(self, point: str, first: Body, second: Body) -> None:
         """Add the bushing at a hardpoint between two bodies."""
-        bushing = add_bushing(
-            self.mechanism, point, first, second, self.hardpoint(point), **self.bushing_of(point)
+        names = ("stiffness", "damping", "rotational_stiffness")
+        given = {name: self.triple(f"bushings.{point}.{name}") for name in names}
+        for name, directions in (
+            ("preload", DIRECTIONS[:3]),
+            ("rotational_preload", DIRECTIONS[3:]),
+        ):
+            if getattr(self.bushing(point), name) is not None:
+                signs = ca.vertcat(*(self.sign_of(direction) for direction in directions))
+                given[name] = signs * self.triple(f"bushings.{point}.{name}")
+        law = ElasticJoint(
+            point,
+            first,
+            second,
+            self.hardpoint(point),
+            rotational_damping=ca.SX(3, 1),
+            axes=self.bushing_axes(point),
+            curves=self.bushing_curves(point),
+            **given,
         )
+        bushing = Deflection(*self.mechanism.act(law).shown)
         self.bushings[point] = first.frame.orientation.rotate(bushing.force), bushing.power
 
     def has_bushing(self, point: str) -> bool:
         """Whether the description has a bushing at a hardpoint."""
-        return getattr(getattr(self.rig, "bushings", None), point, None) is not None
+        return self.bushing(point) is not None
 
-    def bushing_of(self, point: str) -> dict[str, ca.SX]:
-        """Return the parameters of the bushing at a hardpoint, by name."""
-        names = ("stiffness", "damping", "rotational_stiffness")
-        return {name: self.triple(f"bushings.{point}.{name}") for name in names}
+    def bushing(self, point: str) -> Any:
+        """Return the description of the bushing at a hardpoint, None without one."""
+        return getattr(getattr(self.rig, "bushings", None), point, None)
+
+    def sign_of(self, direction: str) -> ca.SX | float:
+        """-1 if the suspension is on the other side and a reflection reverses this direction of a bushing, else 1."""
+        return self.turned if direction in REVERSED else 1.0
+
+    def bushing_axes(self, point: str) -> ca.SX | None:
+        """Return a bushing's own axes as columns, on the suspension's side; None for those of the design pose."""
+        bushing = self.bushing(point)
+        if bushing.x_axis is None and bushing.z_axis is None:
+            return None
+
+        def axis(name: str, default: tuple[float, float, float]) -> ca.SX:
+            given = getattr(bushing, name) is not None
+            x, y, z = ca.vertsplit(
+                self.triple(f"bushings.{point}.{name}") if given else ca.SX(default)
+            )
+            return ca.vertcat(x, self.turned * y, z)
+
+        x, z = axis("x_axis", (1.0, 0.0, 0.0)), axis("z_axis", (0.0, 0.0, 1.0))
+        if bushing.x_axis is None:
+            z = unit(z)
+            x = x - ca.dot(x, z) * z
+        x = unit(x)
+        z = unit(z - ca.dot(z, x) * x)
+        return ca.horzcat(x, ca.cross(z, x), z)
+
+    def bushing_curves(self, point: str) -> Curves | None:
+        """Return the curves of a bushing on the suspension's side, None without any."""
+        described = self.bushing(point).curves
+        if described is None:
+            return None
+
+        def curves(direction: int, displacement: ca.SX) -> tuple[ca.SX, ca.SX] | None:
+            name = DIRECTIONS[direction]
+            curve, sign = getattr(described, name), self.sign_of(name)
+            if curve is None:
+                return None
+            path = f"bushings.{point}.curves.{name}"
+            load, energy = bushing_curve(self.mechanism, curve, path, sign * displacement)
+            return sign * load, energy
+
+        return curves
+
+    def linear_bushing(self, point: str) -> dict[str, Any]:
+        """Return stiffness at design, damping and axes of a bushing, for laws that take no curves."""
+        described, path = self.bushing(point).curves, f"bushings.{point}"
+        stiffness = self.triple(f"{path}.stiffness")
+        for i, name in enumerate(DIRECTIONS[:3]):
+            curve = getattr(described, name, None)
+            if curve is not None:
+                stiffness[i] = bushing_slope(self.mechanism, curve, f"{path}.curves.{name}")
+        damping = self.triple(f"{path}.damping")
+        return {"stiffness": stiffness, "damping": damping, "axes": self.bushing_axes(point)}
 
     def rod(
         self, name: str, inner: str, outer: str, carrier: Body, *, steered: bool = False
@@ -334,10 +406,10 @@ class Linkage(Suspension):
         self.owners.update({inner: holder, outer: carrier})
         massless, soft = getattr(self.rig.bodies, name, None) is None, self.has_bushing(inner)
         if massless and soft:
-            law = self.bushing_of(inner)
+            law = self.linear_bushing(inner)
             ends = carrier.frame.point(end) - holder.frame.point(start)
             tension, power = add_elastic_rod(
-                self.mechanism, name, holder, carrier, start, end, law["stiffness"], law["damping"]
+                self.mechanism, name, holder, carrier, start, end, **law
             )
             self.bushings[inner] = -tension * unit(ends.value), power
             return

@@ -58,10 +58,8 @@ def _slide(linkage: Linkage, upright: Body, foot: ca.SX, top: ca.SX) -> None:
         else:
             mechanism.coincident("strut_top", linkage.chassis, strut, at=top)
     elif soft:
-        law = linkage.bushing_of("strut_top")
-        add_sliding_bushing(
-            mechanism, upright, linkage.chassis, foot, along, top, law["stiffness"], law["damping"]
-        )
+        law = linkage.linear_bushing("strut_top")
+        add_sliding_bushing(mechanism, upright, linkage.chassis, foot, along, top, **law)
     else:
         mechanism.point_on_line(
             "strut_slider", upright, linkage.chassis, at=foot, axis=along, point=top

@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.remembered import once_per_object
 from jounce.core.text import place_in
+from jounce.parts.bushings import Mount
+from jounce.parts.compliance import bushings_of, compliance_findings
 from jounce.parts.corners import LARGE, Corner
 from jounce.parts.dampers import MapDamper, VelocityTable
 from jounce.parts.leverage import (
@@ -104,12 +106,13 @@ def _check_all(rig: Rig) -> tuple[Finding, ...]:
             _check_order,
             _check_wheel,
             _check_bars,
+            compliance_findings,
             _check_strut,
             _check_bodies,
             _check_sprung_mass,
             _check_statics,
         )
-        checks = checks[:4] if rig.lacks else checks  # the others need the omitted parts
+        checks = checks[:5] if rig.lacks else checks  # the others need the omitted parts
         findings = list(_check_size(rig)) or [finding for check in checks for finding in check(rig)]
     else:
         lumped = (
@@ -160,6 +163,9 @@ def size_findings(points: Mapping[str, ArrayLike], place: str) -> Iterator[Findi
 
 def _check_size(rig: Corner) -> Iterator[Finding]:
     yield from size_findings(rig.hardpoints.given(), "hardpoints")
+    mounts = {path: part for path, part in bushings_of(rig).items() if isinstance(part, Mount)}
+    for path, mount in mounts.items():
+        yield from size_findings({"point": mount.point}, path)
     radius = rig.wheel.radius
     if radius > 2.0 or radius < 0.02:  # m: from a toy to a mine truck; the library has 0.13 to 0.47
         yield finding("parts.wheel_radius", "wheel.radius", radius, radius=radius)
@@ -393,6 +399,8 @@ def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
             axle, Axle | WheeledAxle
         ):  # axles of 3-D corners have no springs of their own
             corner = axle.corner
+            for item in compliance_findings(corner):
+                yield at_place(f"{name}.corner.{item.place}", item)
             weight = car.gravity * (mass + sum(body.mass for body in corner.body_masses().values()))
             yield from _check_deflection(
                 f"{name}.corner.tyre",

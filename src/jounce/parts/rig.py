@@ -176,10 +176,11 @@ def result_unit_of(kind: BaseModel, path: str) -> str:
     >>> [result_unit_of(rig, f"tyre.curve.coefficients[{i}]") for i in (0, 2)]
     ['N/m', 'N/m^3']
     """
-    order = re.search(r"curve\.coefficients\[(\d+)\]$", path)
+    order = re.search(r"curve(?:s\.(r?)[xyz])?\.coefficients\[(\d+)\]$", path)
     if order is None:
         return unit_of(kind, path)
-    return "N/m" if order[1] == "0" else f"N/m^{int(order[1]) + 1}"
+    unit = "N*m/rad" if order[1] else "N/m"
+    return unit if order[2] == "0" else f"{unit}^{int(order[2]) + 1}"
 
 
 def unit_question(place: str, unit: Unit, value: float) -> list[Finding]:

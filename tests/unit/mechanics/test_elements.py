@@ -17,12 +17,14 @@ from jounce.mechanics import System, damper_map_force
 from jounce.mechanics.bushings import add_sliding_bushing
 from jounce.mechanics.elements import (
     bump_stop_force,
+    bushing_curve,
     damper_force,
     friction_force,
     spring_force,
     tyre_force,
 )
-from jounce.parts.curves import PolynomialCurve, PowerCurve, TableCurve
+from jounce.parts.bushings import load_of
+from jounce.parts.curves import PolynomialCurve, PowerCurve, RotationalTableCurve, TableCurve
 from jounce.parts.dampers import (
     BilinearDamper,
     BlowOffDamper,
@@ -383,3 +385,27 @@ def test_a_share_that_builds_up_needs_its_distance() -> None:
         jn.load("kart-quarter-car").with_changes(
             {"guide.friction": {"force": 8.0, "presliding": 0.5}}
         )
+
+
+@pytest.mark.parametrize(
+    "curve",
+    [
+        POLYNOMIAL,
+        TableCurve(
+            deflection=(-0.02, -0.004, 0.0, 0.01, 0.03), force=(-900.0, -60.0, 0.0, 200.0, 900.0)
+        ),
+        RotationalTableCurve(angle=(-0.1, 0.05), torque=(-20.0, 25.0)),
+    ],
+)
+def test_the_curve_of_a_bushing_and_its_energy(curve) -> None:
+    """Load as its description computes it; energy zero at design, its slope is the load."""
+    numbers = numbers_of(curve, "curve")
+    load, energy = (
+        law_of(lambda system, x, _, i=i: bushing_curve(system, curve, "curve", x)[i], numbers)
+        for i in range(2)
+    )
+    for x in (-0.05, -0.015, -0.002, 0.004, 0.02, 0.06):
+        assert load(x, 0.0)[0] == pytest.approx(float(load_of(curve, x)), rel=1e-12)
+        slope = (energy(x + 1e-6, 0.0)[0] - energy(x - 1e-6, 0.0)[0]) / 2e-6
+        assert slope == pytest.approx(float(load_of(curve, x)), rel=1e-6)
+    assert energy(0.0, 0.0)[0] == 0.0
