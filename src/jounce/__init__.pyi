@@ -36,6 +36,8 @@ from .campaign.model_choice import compare_campaign_models as compare_campaign_m
 from .campaign.new import start_campaign as start_campaign
 from .campaign.posterior import campaign_next_trials as campaign_next_trials
 from .campaign.posterior import campaign_posterior as campaign_posterior
+from .campaign.results_compared import ComparedResults as ComparedResults
+from .campaign.results_compared import compare_results as compare_results
 from .campaign.speed_sweep import speed_sweep as speed_sweep
 from .campaign.test_sheet import TestSheet as TestSheet
 from .campaign.test_sheet import plan_test as plan_test

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 from pathlib import Path
@@ -118,6 +119,36 @@ def test_files_and_runs_are_compared_in_a_table(project: Project) -> None:
     assert [
         row[0] for row in comparing.compare_files(project, ["soft.toml", plain["path"]])["rows"]
     ] == ["strut.spring.rate"]
+
+
+def test_results_of_campaigns_are_compared_with_their_intervals(tmp_path: Path) -> None:
+    project = Project(tmp_path)
+    for name, rate in (("a", 22e3), ("b", 23e3)):
+        spring = {"value": rate, "interval": [rate - 100.0, rate + 100.0], "unit": "N/m"}
+        update = {"name": "all", "parameters": {"strut.spring.rate": spring}}
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "results.json").write_text(
+            json.dumps({"schema": "jounce.results/1", "updates": [update], "trials": []})
+        )
+    names = ["a/results.json", "b/results.json"]
+    listed = comparing.compare_files(project, names)
+    cells = ["22.00 (21.90 … 22.10)", "23.00 (22.90 … 23.10)"]
+    assert listed["rows"] == [["all: strut.spring.rate", "N/mm", *cells]]
+    assert "jn.compare_results({\n    'a/results.json': 'a/results.json'," in listed["python"]
+    (tmp_path / "b" / "results.json").write_text("[1, 2")
+    with pytest.raises(DescriptionError, match=r"b/results\.json: not the results of a campaign"):
+        comparing.compare_files(project, names)
+
+
+def test_code_that_compares_campaigns_runs(tmp_path: Path, monkeypatch) -> None:
+    jn.new_campaign(tmp_path / "one")
+    shutil.copytree(tmp_path / "one", tmp_path / "two")
+    other = tmp_path / "two" / "campaign.toml"
+    other.write_text(re.sub(r'(?m)^title = ".*"', 'title = "another"', other.read_text()))
+    listed = comparing.compare_files(Project(tmp_path), ["one/campaign.toml", "two/campaign.toml"])
+    assert [row[0] for row in listed["rows"]] == ["title"]
+    monkeypatch.chdir(tmp_path)
+    exec(listed["python"], {})  # noqa: S102 - as a user would
 
 
 def test_a_run_keeps_its_rig_when_the_file_changes(project: Project) -> None:

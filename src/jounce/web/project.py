@@ -34,7 +34,9 @@ RECORDS = (
     ".tdms", ".lvm", ".uff", ".uf", ".unv",
 )  # fmt: skip
 """Suffixes of measured or simulated files: those of all readers."""
-_PAGES, _RESULTS, _STORES = (".html", ".pdf"), ("results.json",), (".sqlite",)
+RESULTS = "results.json"
+"""Name of the file that a campaign writes into its folder."""
+_PAGES, _RESULTS, _STORES = (".html", ".pdf"), (RESULTS,), (".sqlite",)
 LONGEST, _LONGEST_READ = (
     2_000_000,
     20_000_000,

@@ -1,13 +1,15 @@
 /** Comparing more than two: a choice of what is shown beside the open rig, and a table of what differs. */
 
 import { make } from "../page";
-import { localised, tr } from "../words";
+import { tr, withComma } from "../words";
 import { table } from "./table";
 
 /** What differs, as cells: path, unit and the value of each. */
 export interface Differences {
   names: string[];
   rows: string[][];
+  /** What the rows are, if not the differences. */
+  title?: string;
 }
 type Option = [value: string, words: string];
 
@@ -105,17 +107,18 @@ export class Differing {
     const now = JSON.stringify(differences);
     if (!differences || now === this.was) return;
     this.was = now;
-    const { names, rows } = differences;
-    this.summary.textContent = `${tr("What differs")} (${rows.length})`;
+    const { names, rows } = differences,
+      title = tr(differences.title ?? "What differs");
+    this.summary.textContent = `${title} (${rows.length})`;
     this.place.replaceChildren(
       rows.length
         ? table(
-            tr("What differs"),
+            title,
             ["parameter", "unit", ...names],
             rows.map(([path = "", unit = "", ...values]) => [
               path,
               unit || "–",
-              ...values.map((value) => (/^[−\d]/.test(value) ? localised(value) : value)),
+              ...values.map((value) => (/^[−\d]/.test(value) ? withComma(value) : value)),
             ]),
             names.map((_, k) => k + 2),
           )

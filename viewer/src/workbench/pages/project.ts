@@ -193,10 +193,11 @@ function comparison(
     [tr("this project"), of("rig", "vehicle")],
     [tr("saved runs"), savedRuns.map(({ path }) => [path, path.replace(/^runs\//, "")])],
     [tr("campaigns"), of("campaign")],
+    [tr("results of campaigns"), of("results")],
     [tr("shipped"), library.map(({ name }) => [name, name])],
   ];
   const chosen = new Against(
-    tr("Rigs, runs or campaigns"),
+    tr("Rigs, runs, campaigns or results"),
     groups,
     () => void compare(),
     MOST_FILES,
