@@ -15,7 +15,7 @@ from jounce.core.description import Description, read_description
 from jounce.core.errors import DescriptionError, nearest
 from jounce.core.misplaced import error_at
 from jounce.core.text import without_accents
-from jounce.core.units import PositiveLength, is_unit_of
+from jounce.core.units import Number, PositiveLength, is_unit_of
 from jounce.kc.conventions import CONVENTIONS, Convention
 from jounce.kc.vocabulary import AXLE_QUANTITIES, KC_TESTS, QUANTITIES, WHEEL_QUANTITIES
 
@@ -49,7 +49,7 @@ class KcColumn(Description):
     wheel: Wheel | None = None
     unit: str = ""
     sign: Literal[1, -1] = 1
-    offset: float = 0.0
+    offset: Number = 0.0
     test: str | None = None
 
     @model_validator(mode="before")

@@ -126,16 +126,14 @@ def _fit(
     x, y = sweep[used] - centre, values[used]
     if np.unique(x).size < 2:
         return np.nan, np.nan, np.nan, np.nan
-    mean, reach = float(x.mean()), float(np.ptp(x))
+    mean = float(x.mean())
     slope = float(((x - mean) * (y - y.mean())).sum() / ((x - mean) ** 2).sum())
     intercept = float(y.mean()) - slope * mean
-    grid = np.linspace(
-        max(low, float(sweep[used].min())), min(high, float(sweep[used].max())), _GRID
-    )
+    grid = np.linspace(max(low, float(sweep.min())), min(high, float(sweep.max())), _GRID)
     lines = lines_of(sweep, values, grid)
     curve = lines.mean
     away = np.abs(curve - intercept - slope * (grid - centre))
-    line, span = abs(slope) * reach, float(np.nanmax(curve) - np.nanmin(curve))
+    line, span = abs(slope) * float(np.ptp(grid)), float(np.nanmax(curve) - np.nanmin(curve))
     least = 1e-12 * max(float(np.max(np.abs(y))), 1e-12)
     return (
         slope,
