@@ -135,8 +135,16 @@ from .inspection.record import read_record as read_record
 from .inspection.rig_inspection import inspect_rig as inspect_rig
 from .inspection.simulated import simulate_axle as simulate_axle
 from .inspection.simulated import simulate_inspection as simulate_inspection
+from .kc.channels import KcColumn as KcColumn
+from .kc.channels import KcMap as KcMap
+from .kc.compared import compare_kc as compare_kc
+from .kc.conventions import SignConvention as SignConvention
 from .kc.laboratory import kc_test as kc_test
 from .kc.laboratory import kc_tests as kc_tests
+from .kc.measured import kc_map as kc_map
+from .kc.measured import KcMapProposal as KcMapProposal
+from .kc.measured import KcSheet as KcSheet
+from .kc.measured import read_kc as read_kc
 from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad

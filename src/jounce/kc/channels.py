@@ -12,11 +12,11 @@ from pydantic import model_validator
 
 from jounce.core.columns import Column, names_time
 from jounce.core.description import Description, read_description
-from jounce.core.errors import DescriptionError, nearest
+from jounce.core.errors import RecordingError, nearest
 from jounce.core.misplaced import error_at
 from jounce.core.text import without_accents
 from jounce.core.units import Number, PositiveLength, is_unit_of
-from jounce.kc.conventions import CONVENTIONS, Convention
+from jounce.kc.conventions import CONVENTIONS, SignConvention
 from jounce.kc.vocabulary import AXLE_QUANTITIES, KC_TESTS, QUANTITIES, WHEEL_QUANTITIES
 
 SCHEMA = "jounce.kc-map/1"
@@ -100,7 +100,7 @@ class KcMap(Description):
 
     Attributes
     ----------
-    convention : str, Convention or None
+    convention : str, SignConvention or None
         Signs of the readings: a name such as ``"iso"`` or ``"j670e"``, or a table of directions. None: what the files
         state, else ISO 8855.
     track : float or None
@@ -117,7 +117,7 @@ class KcMap(Description):
         Meaning of columns by their headings. Other columns are recognised by their headings.
     """
 
-    convention: str | Convention | None = None
+    convention: str | SignConvention | None = None
     track: PositiveLength | None = None
     gauge_base: PositiveLength | None = None
     wheel: Wheel | None = None
@@ -299,9 +299,9 @@ def needs_wheel(quantity: str) -> bool:
     return quantity in WHEEL_QUANTITIES
 
 
-def refuse_axles(where: str) -> DescriptionError:
+def refuse_axles(where: str) -> RecordingError:
     """Return the error for a sheet with the columns of both axles."""
-    return DescriptionError(
+    return RecordingError(
         "the columns of two axles",
         where=where,
         allowed="one axle",

@@ -11,7 +11,7 @@ from jounce.core.errors import unknown
 from jounce.kc.vocabulary import QUANTITIES
 
 
-class Convention(Description):
+class SignConvention(Description):
     """Directions in which the readings of a sheet are positive. Turns and moments are right-handed about their axis.
 
     Attributes
@@ -60,14 +60,14 @@ class Convention(Description):
         return axes[QUANTITIES[quantity].axis]
 
 
-_RIGHT_DOWN = Convention(y="right", z="down", steer="right")
-CONVENTIONS: Mapping[str, Convention] = {
-    "iso": Convention(),
+_RIGHT_DOWN = SignConvention(y="right", z="down", steer="right")
+CONVENTIONS: Mapping[str, SignConvention] = {
+    "iso": SignConvention(),
     "j670e": _RIGHT_DOWN,
     "j670-z-down": _RIGHT_DOWN,
-    "j670-z-up": Convention(),
-    "adams-car": Convention(x="rearward", y="right"),
-    "rear-right-up": Convention(x="rearward", y="right"),
+    "j670-z-up": SignConvention(),
+    "adams-car": SignConvention(x="rearward", y="right"),
+    "rear-right-up": SignConvention(x="rearward", y="right"),
 }
 """Conventions by name. Toe-in and camber with the top outward are positive in all of them.
 
@@ -78,15 +78,15 @@ y right, z up, a steer angle to the left positive. The standards themselves were
 """
 
 
-def convention_of(given: str | Mapping[str, str] | Convention, where: str) -> Convention:
+def convention_of(given: str | Mapping[str, str] | SignConvention, where: str) -> SignConvention:
     """Return a convention by its name, from a table of directions, or itself."""
-    if isinstance(given, Convention):
+    if isinstance(given, SignConvention):
         return given
     if isinstance(given, str):
         if given not in CONVENTIONS:
             raise unknown(given, CONVENTIONS, what="sign convention", where=where)
         return CONVENTIONS[given]
-    return Convention.from_table(dict(given), where=where)
+    return SignConvention.from_table(dict(given), where=where)
 
 
 def convention_in(text: str) -> str:
