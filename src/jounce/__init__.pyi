@@ -141,9 +141,9 @@ from .kc.compared import compare_kc as compare_kc
 from .kc.conventions import SignConvention as SignConvention
 from .kc.laboratory import kc_test as kc_test
 from .kc.laboratory import kc_tests as kc_tests
-from .kc.measured import kc_map as kc_map
 from .kc.measured import KcMapProposal as KcMapProposal
 from .kc.measured import KcSheet as KcSheet
+from .kc.measured import kc_map as kc_map
 from .kc.measured import read_kc as read_kc
 from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
