@@ -47,7 +47,9 @@ def test_a_sheet_has_names_units_and_signs_of_jounce(rig: Any) -> None:
     slopes = jn.kc_slopes(bounce)["slope"]
     assert float(slopes.sel(quantity="left.toe")) == pytest.approx(rig.TOE, rel=1e-6)
     assert float(slopes.sel(quantity="left.steer")) == pytest.approx(-rig.TOE, rel=1e-6)
-    assert float(slopes.sel(quantity="right.wheel_centre_y")) == pytest.approx(-0.9 * rig.SCRUB, rel=1e-6)
+    assert float(slopes.sel(quantity="right.wheel_centre_y")) == pytest.approx(
+        -0.9 * rig.SCRUB, rel=1e-6
+    )
     assert float(slopes.sel(quantity="right.vertical_force")) == pytest.approx(rig.RATE, rel=1e-6)
     assert float(bounce["left.toe"].sel(sample=0)) == pytest.approx(0.002)  # angles stay totals
     opposed = jn.kc_slopes(sheet["lateral-opposed"])["slope"]
