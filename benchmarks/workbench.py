@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import os
 import platform
-import random
 import shutil
 import statistics
 import subprocess
@@ -23,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from clicks import Clicks, prepare_project, settled_memory
 
 TABLE = Path(__file__).parents[1] / "docs" / "explanation" / "workbench-speed.md"
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
@@ -103,35 +103,6 @@ def text_record(file: Path) -> float:
     np.savetxt(file, np.column_stack([time_, np.sin(time_), *noise]), fmt="%.6g", delimiter=",", comments="",
                header="time [s],sprung.az [m/s^2],unsprung.az [m/s^2],strut.deflection [mm]")  # fmt: skip
     return file.stat().st_size / 1e6
-
-
-def memory(process: int) -> str:
-    """Memory of a process: resident, and the part that it shares with no other."""
-    rows = Path(f"/proc/{process}/smaps_rollup").read_text(encoding="utf-8").splitlines()
-    held = {row.split(":")[0]: int(row.split()[1]) / 1024 for row in rows[1:]}
-    own = held["Private_Clean"] + held["Private_Dirty"]
-    return f"{held['Rss']:.0f} MB, {own:.0f} MB of it alone"
-
-
-def random_requests(served: Served, count: int) -> None:
-    """Send requests of the pages in random order with random numbers."""
-    choice = random.Random(0)  # noqa: S311 - no secret
-    road = {"kind": "half-sine", "height": "10 mm", "length": "60 mm", "start": "0.2 m"}
-    rigs = {
-        "kart-double-wishbone": 22_000.0,
-        "kart-quarter-car": 22_000.0,
-        "formula-student-front": 35_000.0,
-    }
-    for _ in range(count):
-        rig = choice.choice(list(rigs))
-        changes = {"strut.spring.rate": rigs[rig] * choice.uniform(0.6, 1.5)}
-        run = {"rig": rig, "changes": changes, "road": road, "speed": f"{choice.uniform(1, 9):.2f} m/s",
-               "duration": choice.choice(["0.5 s", "1.5 s"]), "numbers": []}  # fmt: skip
-        sweep = {"rig": "kart-double-wishbone", "travel": "-20 mm : 20 mm : 2 mm",
-                 "changes": {"hardpoints.tie_rod_inner[2]": choice.uniform(0.1, 0.12)}}  # fmt: skip
-        asked = [("POST", "api/simulate", run), ("POST", "api/kinematics", sweep), ("GET", "api/project", None),
-                 ("GET", f"api/rig?name={rig}", None), ("GET", "api/library", None)]  # fmt: skip
-        served.ask(*choice.choice(asked))
 
 
 def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
@@ -233,14 +204,16 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         )
         browser.close()
     held = []
+    clicks = Clicks(served.base, served.token)
     for _ in range(4):
-        random_requests(served, 500)
-        held.append(memory(served.process.pid))
+        clicks.click(500)
+        memory = settled_memory(served.process.pid)
+        held.append(f"{memory['resident']:.0f}")
     rows.append(
         (
-            "memory of the server after 500, 1000, 1500 and 2000 more requests at random",
-            "150 MB",
-            "; ".join(held),
+            "memory of the idle server after 500, 1000, 1500 and 2000 requests of all routes at random",
+            "150 MB, flat",
+            f"{', '.join(held)} MB; {memory['own']:.0f} MB of it not from files",
         )
     )
     return rows
@@ -345,6 +318,7 @@ def busy(served: Served, context: Any, folder: Path) -> str:
 def main() -> None:
     """Measure, print, and optionally write the table."""
     with tempfile.TemporaryDirectory(prefix="jounce-bench-", ignore_cleanup_errors=True) as place:
+        prepare_project(Path(place))
         served = Served(Path(place))
         try:
             rows = measured(served, Path(place))

@@ -1117,9 +1117,9 @@ def test_what_a_request_has_freed_is_given_back():
     script = """
 import sys
 import numpy as np
-from jounce.web.serving import _give_memory_back
+from jounce.web.memory import give_memory_back
 if sys.argv[1:]:
-    _give_memory_back()
+    give_memory_back()
 held = lambda: int(open("/proc/self/statm").read().split()[1]) * 4096e-6
 del (large := [np.ones(4_000_000)])[:]
 before = held()
@@ -1144,6 +1144,7 @@ def test_a_server_keeps_few_models_and_collects_in_pauses_until_it_ends(monkeypa
     monkeypatch.setattr(serving, "_PAUSE", 0.01)
     monkeypatch.setattr(serving, "_IDLE", 10.0)  # the test's own work is no pause's end
     monkeypatch.setattr(serving, "_BUSY", 0.0)
+    monkeypatch.setattr(serving, "_USED", 0.0)
     given_back, before = threading.Event(), Recent.most
     with serving._within_bounds(given_back.set):
         assert Recent.most == serving._MOST_MODELS < before
@@ -1162,6 +1163,7 @@ def test_a_server_loads_in_its_first_pauses_what_first_answers_would_wait_for(
     monkeypatch.setattr(serving, "_PAUSE", 0.01)
     monkeypatch.setattr(serving, "_IDLE", 10.0)
     monkeypatch.setattr(serving, "_BUSY", 0.0)
+    monkeypatch.setattr(serving, "_USED", 0.0)
     assert all(importlib.util.find_spec(name) for name in serving._LATER)
     monkeypatch.setattr(serving, "_LATER", ("needed_by_an_answer",))
     given_back = threading.Event()
@@ -1189,6 +1191,7 @@ def test_a_server_at_work_is_not_stopped_to_look_for_garbage(monkeypatch):
     monkeypatch.setattr(serving, "_PAUSE", 0.01)
     monkeypatch.setattr(serving, "_IDLE", -1.0)  # never idle
     monkeypatch.setattr(serving, "_BUSY", 0.0)
+    monkeypatch.setattr(serving, "_USED", 0.0)
     given_back = threading.Event()
     with serving._within_bounds(given_back.set):
         assert not given_back.wait(0.1)

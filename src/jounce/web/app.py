@@ -25,15 +25,16 @@ from jounce.web import kept as history
 from jounce.web.assets import Asset, assets
 from jounce.web.bodies import Route
 from jounce.web.data_page import data_routes
-from jounce.web.exports import KINDS, Exported, exported, file_name
+from jounce.web.exports import APART, DOCUMENT, KINDS, Exported, exported, file_name
 from jounce.web.jobs import Jobs, without_options
 from jounce.web.project import LONGEST, Entry, Project, Text, Version, unusable
 from jounce.web.records import Records
 from jounce.web.safety import EXPORT, Guard, seal_address
+from jounce.web.tasks import JobSpec
 from jounce.web.working import routes
 
 require("fastapi", "web")  # ruff: isort: split
-from fastapi import FastAPI, Request  # noqa: E402
+from fastapi import Depends, FastAPI, Request  # noqa: E402
 from fastapi.responses import JSONResponse, Response  # noqa: E402
 
 
@@ -387,11 +388,15 @@ def create_app(
         return comparing.compare_files(project, asked.names)
 
     @app.post(EXPORT)
-    def export(asked: Exported) -> Response:
+    def export(asked: Exported, content: Annotated[bytes, Depends(_content)]) -> Response:
         """Export the content of a page as an image, a document or a table."""
-        content = exported(asked)
+        if asked.form in APART:
+            question = {"kind": "export", "asked": content.decode()}
+            written = jobs.document(JobSpec("Exporting", [], question=question), DOCUMENT)
+        else:
+            written = exported(asked)
         kept = {"Content-Disposition": f'attachment; filename="{file_name(asked)}"'}
-        return Response(content, media_type=KINDS[asked.form], headers=kept)
+        return Response(written, media_type=KINDS[asked.form], headers=kept)
 
     @app.post("/api/kinematics")
     def kinematics(asked: SweepRequest, request: Request) -> Response:
@@ -401,10 +406,14 @@ def create_app(
         )
 
     app.include_router(routes(project, jobs, seal))
-    app.include_router(data_routes(project, records))
+    app.include_router(data_routes(project, jobs, records))
     for path, asset in assets().items():
         app.add_api_route(path, _served(asset), include_in_schema=False)
     return Guard(app, token=token, port=port)
+
+
+async def _content(request: Request) -> bytes:
+    return await request.body()
 
 
 @lru_cache(64)

@@ -11,8 +11,10 @@ from jounce.core.optional import require
 from jounce.core.units import Unit
 from jounce.web import overlays
 from jounce.web.bodies import Route
+from jounce.web.jobs import Jobs
 from jounce.web.project import Project
 from jounce.web.records import Records
+from jounce.web.tasks import LIMITS, JobSpec
 
 require("fastapi", "web")  # ruff: isort: split
 from fastapi import APIRouter  # noqa: E402
@@ -73,7 +75,7 @@ class LayoutSaved(_Asked):
     was: str = ""
 
 
-def data_routes(project: Project, records: Records) -> APIRouter:
+def data_routes(project: Project, jobs: Jobs, records: Records) -> APIRouter:
     """Return the routes of the page of recordings of a project."""
     router = APIRouter(route_class=Route)
 
@@ -120,12 +122,20 @@ def data_routes(project: Project, records: Records) -> APIRouter:
     @router.post("/api/data/align")
     def align(asked: AlignRequest) -> dict[str, Any]:
         """Return the shift of a recording onto another, by correlation or by an event."""
-        layout = asked.read()
-        tracks = overlays.tracks_of(records, layout)
-        return overlays.aligned(
-            layout, tracks, asked.reference, asked.moved, asked.channel,
-            by=asked.by, level=asked.level, maximum_shift=asked.maximum_shift,
-        )  # fmt: skip
+        tracks = overlays.tracks_of(records, asked.read())
+        for number in {asked.reference, asked.moved} & set(range(len(tracks))):
+            if (problem := tracks[number].problem) is not None:
+                raise problem
+        shown = [(track.path, track.clock) for track in tracks if track.clock is not None]
+        question = {
+            "kind": "align",
+            "layout": asked.layout,
+            "folders": {path: str(clock.levels.folder) for path, clock in shown},
+            "how": asked.model_dump(exclude={"layout"}),
+        }
+        spec = JobSpec("Aligning recordings", [], limits=LIMITS, question=question)
+        result: dict[str, Any] = jobs.ask(spec)["result"]
+        return result
 
     @router.post("/api/data/state")
     def state(asked: FilesAsked) -> dict[str, str]:

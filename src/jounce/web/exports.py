@@ -36,6 +36,9 @@ KINDS: dict[Form, str] = {
     "csv": "text/csv; charset=utf-8",
     "xlsx": "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet",
 }
+APART = ("png", "pdf", "xlsx")
+"""Forms that are written in a process of its own, as ``DOCUMENT`` in its folder: their libraries need 80 MB."""
+DOCUMENT = "document"
 _MOST_PANELS, _MOST_BLOCKS = 120, 200
 _WIDE, _NARROW = (880, 230), (430, 210)  # panel size in pixels: single column, and side by side
 

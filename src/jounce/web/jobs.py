@@ -145,10 +145,10 @@ class Jobs:
             text = page.read_text(encoding="utf-8") if page.is_file() else ""
             return {"result": _result(folder), "page": text, **equivalents(spec)}
 
-    def document(self, spec: JobSpec) -> bytes:
-        """Run a short task that writes ``report.pdf``, wait for it, and return the document."""
+    def document(self, spec: JobSpec, name: str = "report.pdf") -> bytes:
+        """Run a short task that writes a file into its folder, wait for it, and return the content of the file."""
         with self._finished(spec) as folder:
-            return (folder / "report.pdf").read_bytes()
+            return (folder / name).read_bytes()
 
     @contextlib.contextmanager
     def _finished(self, spec: JobSpec) -> Iterator[Path]:

@@ -1,4 +1,7 @@
-"""Requests of the page without an equivalent command: preview of a file, and overlay of rides."""
+"""Requests of the page without an equivalent command, such as the preview of a file or the overlay of rides.
+
+They are answered in a process of their own, so that the server needs neither the memory nor the libraries for them.
+"""
 
 from __future__ import annotations
 
@@ -18,8 +21,8 @@ from jounce.web.project import unusable
 _MOST_COLUMNS, _MOST_POINTS = 200, 2000
 
 
-def answer(question: Mapping[str, Any]) -> int:
-    """Print the answer as one JSON object; return the exit code."""
+def answer(question: Mapping[str, Any], folder: Path) -> int:
+    """Print the answer as one JSON object; return the exit code. Documents are written into the folder."""
     try:
         if question["kind"] == "levels":
             from jounce.web.levels import write_levels
@@ -33,6 +36,13 @@ def answer(question: Mapping[str, Any]) -> int:
             from jounce.web.rides import overlaid
 
             reply = overlaid(question)
+        elif question["kind"] == "align":
+            reply = align(question)
+        elif question["kind"] == "export":
+            from jounce.web.exports import DOCUMENT, Exported, exported
+
+            content = exported(Exported.model_validate_json(question["asked"]))
+            reply = {"bytes": (folder / DOCUMENT).write_bytes(content)}
         elif question["kind"] == "swept":
             from jounce.web.project import Project
             from jounce.web.studies import swept
@@ -49,11 +59,23 @@ def answer(question: Mapping[str, Any]) -> int:
             "message": known.message(),
             "what": known.what,
             "where": known.where,
+            "found": None if known.found is None else str(known.found),
+            "allowed": known.allowed or None,
             "hint": known.hint or None,
         }
         sys.stdout.write(to_json({"error": with_german(plain)}))
         return 2
     return 0
+
+
+def align(asked: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the shift of a recording onto another; both are stored already, in the given folders."""
+    from jounce.web.layouts import Layout
+    from jounce.web.overlays import aligned, tracks_of
+    from jounce.web.records import StoredRecords
+
+    layout = Layout(**asked["layout"])
+    return aligned(layout, tracks_of(StoredRecords(asked["folders"]), layout), **asked["how"])
 
 
 def preview_all(asked: Mapping[str, Any]) -> dict[str, Any]:

@@ -13,6 +13,7 @@ import threading
 import time
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -174,6 +175,26 @@ class Records:
         self.jobs.ask(
             JobSpec(title, [], limits=limits, patience=300.0, question=question, light=True)
         )
+
+
+@dataclass(frozen=True)
+class StoredRecords:
+    """Records that a server has read and computed, in their folders by path, for a process of its own."""
+
+    folders: Mapping[str, str]
+
+    def open(self, path: str) -> Levels:
+        """Return a record."""
+        if path not in self.folders:
+            raise DescriptionError("not shown", where=path)
+        folder = Path(self.folders[path])
+        return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
+
+    def compute(
+        self, _path: str, levels: Levels, formulas: Sequence[Formula]
+    ) -> tuple[Levels, list[dict[str, Any]]]:
+        """Return a record with its computed channels, and the state of each formula."""
+        return with_formulas(levels, formulas)
 
 
 def _title(path: str) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import ctypes
 import gc
 import importlib
 import logging
@@ -21,6 +20,7 @@ from pathlib import Path
 from jounce.core.errors import DescriptionError, OutputError
 from jounce.core.optional import hide_from_others, require
 from jounce.core.remembered import Recent
+from jounce.web.memory import give_memory_back
 
 
 def serve(
@@ -62,7 +62,7 @@ def serve(
     from jounce.kernel.apart import compiling_apart
     from jounce.web.app import create_app
 
-    trim = _give_memory_back()
+    trim = give_memory_back()
     listening = _listening(port) if port else _usual(folder)
     number = listening.getsockname()[1]
     token = secrets.token_urlsafe(32)
@@ -91,35 +91,12 @@ def _is_trouble(record: logging.LogRecord) -> bool:
     return not (is_cut_off or "timeout graceful shutdown exceeded" in str(record.msg))
 
 
-_ARENAS, _LARGE, _TRIMMED = (
-    (-8, 1),
-    (-3, 1 << 16),
-    (-1, 1 << 20),
-)  # M_ARENA_MAX, M_MMAP_THRESHOLD, M_TRIM_THRESHOLD
-
-
-def _give_memory_back() -> Callable[[], object]:
-    """Configure glibc to return freed memory to the system; return a function that does so immediately.
-
-    Otherwise each worker thread keeps its own heap, as large as its largest run, and free fragments between used
-    blocks remain in the process: a few megabytes per hour.
-    """
-    library = ctypes.CDLL(None) if sys.platform == "linux" else None
-    if library is None or not hasattr(library, "malloc_trim"):
-        return lambda: None
-    for option, value in (_ARENAS, _LARGE, _TRIMMED):
-        library.mallopt(option, value)
-    return lambda: library.malloc_trim(0)
-
-
 _MOST_MODELS = 8  # of each kind; a model takes up to 2 MB, and 10 ms to reload
 _PAUSE = 2.0  # s
 _LONGEST_IMPORT = 10.0  # s
-_IDLE, _BUSY = (
-    0.05,
-    1.0,
-)  # s of processor time: maximum in a pause, and minimum since the last garbage collection
-_UNUSED = ("dask", "pyarrow")
+_IDLE = 0.05  # s of processor time: maximum in a pause
+_USED, _BUSY = 0.2, 1.0  # minimum since memory was given back, and since the last garbage collection
+_UNUSED = ("bottleneck", "dask", "numexpr", "pyarrow")
 """Packages that pandas and xarray import if they are installed: 60 MB, of which no answer of the server needs any."""
 _LATER = ("xarray", "h5netcdf", "jounce.operations.checks", "jounce.variants.study")
 
@@ -147,18 +124,20 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
 
 
 def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
-    """Import modules that the first run, recording, saved file and study need; then collect garbage."""
+    """Collect garbage, and import modules that the first run, recording, saved file and study need."""
     later = iter(_LATER)
-    before = collected = time.process_time()
+    before = given = collected = time.process_time()
     while not ended.wait(_PAUSE):
         now = time.process_time()
         if now - before < _IDLE:
-            if name := next(later, None):
-                importlib.import_module(name)
-            elif now - collected > _BUSY:
+            if now - collected > _BUSY:
                 gc.collect()
-                trim()
                 collected = time.process_time()
+            if now - given > _USED:
+                trim()
+                given = time.process_time()
+            elif name := next(later, None):
+                importlib.import_module(name)
         before = time.process_time()
 
 

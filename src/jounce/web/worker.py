@@ -155,7 +155,7 @@ def work(folder: Path) -> int:
             from jounce.web.questions import answer
 
             with heard_by(progress.hear):
-                code = answer(job["question"])
+                code = answer(job["question"], folder)
         else:
             from jounce.cli import main
             from jounce.cli.reply import followed_by

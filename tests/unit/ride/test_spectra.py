@@ -12,6 +12,7 @@ from jounce.ride import comfort
 from jounce.ride.spectra import (
     Spectrum,
     channel_transfer,
+    cross_spectrum,
     model_transfer,
     power_spectrum,
     response_spectrum,
@@ -35,6 +36,22 @@ def test_white_noise_is_flat() -> None:
     assert power_spectrum(NOISE, RATE, segment="2 s", window="boxcar").averages == 100.0
     assert spectrum.mean_square() == pytest.approx(4.0, rel=0.01)
     assert spectrum.mean_square(50.0, 100.0) == pytest.approx(4.0 * 50.0 / 250.0, rel=0.03)
+
+
+@pytest.mark.parametrize("window", ["hann", "boxcar"])
+@pytest.mark.parametrize(
+    ("size", "count"), [(1000, 256), (1001, 255), (999, 999), (64, 64), (100, 8)]
+)
+def test_a_cross_spectrum_is_that_of_scipy(window: str, size: int, count: int) -> None:
+    from scipy.signal import csd
+
+    x, y = NOISE[:size] + 3.0, np.roll(NOISE, 7)[:size] ** 2
+    frequency, density = cross_spectrum(x, y, RATE, count, window)
+    overlap = count // 2 if window == "hann" else 0
+    expected = csd(x, y, RATE, window, count, overlap, detrend="constant")
+    np.testing.assert_allclose(frequency, expected[0], rtol=1e-15)
+    scale = np.abs(expected[1]).max()
+    np.testing.assert_allclose(density / scale, expected[1] / scale, rtol=0.0, atol=1e-14)
 
 
 def test_parts_make_up_the_whole() -> None:
