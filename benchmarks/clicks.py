@@ -19,7 +19,7 @@ from urllib.parse import quote, urlsplit
 import numpy as np
 
 import jounce as jn
-from jounce.web.layouts import Layout, layout_text
+from jounce.analysis.layouts import Layout, layout_text
 
 Request = tuple[str, str, Any]
 RIGS = {

@@ -14,8 +14,9 @@ from jounce.core.phrases import Phrase, german_of
 from jounce.core.types import Array
 from jounce.core.units import unit_factor
 from jounce.web.formulas import with_formulas
+from jounce.web.known_channels import is_known_channel
 from jounce.web.levels import Levels
-from jounce.web.records import Records, StoredRecords, is_known_channel
+from jounce.web.stored import RecordSource
 
 if TYPE_CHECKING:
     from jounce.report.live import Viewer
@@ -89,7 +90,7 @@ class Trace:
         return value if np.isfinite(value) else None
 
 
-def tracks_of(records: Records | StoredRecords, layout: Layout) -> list[Track]:
+def tracks_of(records: RecordSource, layout: Layout) -> list[Track]:
     """Open the recordings of a layout; those that cannot be shown say why."""
     tracks: list[Track] = []
     opened: dict[str, Levels] = {}

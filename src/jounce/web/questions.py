@@ -70,9 +70,9 @@ def answer(question: Mapping[str, Any], folder: Path) -> int:
 
 def align(asked: Mapping[str, Any]) -> dict[str, Any]:
     """Return the shift of a recording onto another; both are stored already, in the given folders."""
-    from jounce.web.layouts import Layout
+    from jounce.analysis.layouts import Layout
     from jounce.web.overlays import aligned, tracks_of
-    from jounce.web.records import StoredRecords
+    from jounce.web.stored import StoredRecords
 
     layout = Layout(**asked["layout"])
     return aligned(layout, tracks_of(StoredRecords(asked["folders"]), layout), **asked["how"])

@@ -13,7 +13,6 @@ import threading
 import time
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +24,7 @@ from jounce.core.writing import lasting_folder
 from jounce.web.answers import word
 from jounce.web.formulas import is_computed, stems_of
 from jounce.web.jobs import Jobs
+from jounce.web.known_channels import is_known, is_of_its_unit
 from jounce.web.level_store import digest_of_pieces, keep, restore, store_folder
 from jounce.web.levels import ABOUT, Levels
 from jounce.web.project import Project
@@ -132,11 +132,11 @@ class Records:
     ) -> dict[str, Any]:
         """Return equivalent Python code and command, which read only known channels with a matching unit."""
         every = {channel["name"]: channel["unit"] for channel in about["channels"]}
-        read = [name for name in channels if _is_known(name) and _is_of(name, every[name])]
+        read = [name for name in channels if is_known(name) and is_of_its_unit(name, every[name])]
         wrong = [
             name
             for name in every
-            if (_is_known(name) and not _is_of(name, every[name])) or " #" in name
+            if (is_known(name) and not is_of_its_unit(name, every[name])) or " #" in name
         ]
         others = [*wrong, *(name for name in channels if name not in read and name not in wrong)]
         python, command = "import jounce as jn\n\n", ""
@@ -177,26 +177,6 @@ class Records:
         )
 
 
-@dataclass(frozen=True)
-class StoredRecords:
-    """Records that a server has read and computed, in their folders by path, for a process of its own."""
-
-    folders: Mapping[str, str]
-
-    def open(self, path: str) -> Levels:
-        """Return a record."""
-        if path not in self.folders:
-            raise DescriptionError("not shown", where=path)
-        folder = Path(self.folders[path])
-        return Levels(folder, json.loads((folder / ABOUT).read_text(encoding="utf-8")))
-
-    def compute(
-        self, _path: str, levels: Levels, formulas: Sequence[Formula]
-    ) -> tuple[Levels, list[dict[str, Any]]]:
-        """Return a record with its computed channels, and the state of each formula."""
-        return with_formulas(levels, formulas)
-
-
 def _title(path: str) -> str:
     return f"Reading {path}"
 
@@ -210,25 +190,3 @@ def _fingerprint(file: Path) -> str:
     digest = digest_of_pieces(file, _PIECES, _PIECE)
     digest.update(f"{file}\0{state_of(file)}".encode(errors="surrogatepass"))
     return str(digest.hexdigest()[:24])
-
-
-def is_known_channel(name: str, unit: str) -> bool:
-    """Whether a column is read under its name: a known channel, in a unit of its quantity."""
-    return _is_known(name) and _is_of(name, unit) and " #" not in name
-
-
-def _is_known(name: str) -> bool:
-    from jounce.recordings.schema import quantity_of
-
-    return bool(quantity_of(name))
-
-
-def _is_of(name: str, unit: str) -> bool:
-    """Whether a unit is compatible with the known channel of that name."""
-    from jounce.core.units import conversion_factor
-    from jounce.recordings.schema import channel_unit
-
-    try:
-        return conversion_factor(unit or "1", channel_unit(name)) != 0.0
-    except JounceError:
-        return False

@@ -95,7 +95,10 @@ _MOST_MODELS = 8  # of each kind; a model takes up to 2 MB, and 10 ms to reload
 _PAUSE = 2.0  # s
 _LONGEST_IMPORT = 10.0  # s
 _IDLE = 0.05  # s of processor time: maximum in a pause
-_USED, _BUSY = 0.2, 1.0  # minimum since memory was given back, and since the last garbage collection
+_USED, _BUSY = (
+    0.2,
+    1.0,
+)  # minimum since memory was given back, and since the last garbage collection
 _UNUSED = ("bottleneck", "dask", "numexpr", "pyarrow")
 """Packages that pandas and xarray import if they are installed: 60 MB, of which no answer of the server needs any."""
 _LATER = ("xarray", "h5netcdf", "jounce.operations.checks", "jounce.variants.study")
@@ -124,20 +127,19 @@ def _within_bounds(trim: Callable[[], object]) -> Iterator[None]:
 
 
 def _tidy_in_pauses(ended: threading.Event, trim: Callable[[], object]) -> None:
-    """Collect garbage, and import modules that the first run, recording, saved file and study need."""
+    """Import modules that the first run, recording, saved file and study need; collect garbage, return memory."""
     later = iter(_LATER)
     before = given = collected = time.process_time()
     while not ended.wait(_PAUSE):
-        now = time.process_time()
-        if now - before < _IDLE:
-            if now - collected > _BUSY:
+        if time.process_time() - before < _IDLE:
+            if name := next(later, None):
+                importlib.import_module(name)
+            if time.process_time() - collected > _BUSY:
                 gc.collect()
                 collected = time.process_time()
-            if now - given > _USED:
+            if time.process_time() - given > _USED:
                 trim()
                 given = time.process_time()
-            elif name := next(later, None):
-                importlib.import_module(name)
         before = time.process_time()
 
 
