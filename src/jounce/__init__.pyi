@@ -177,6 +177,7 @@ from .operations.library import shipped_files as shipped_files
 from .papers.audi_a6 import run_audi_a6 as run_audi_a6
 from .papers.audi_a6_exciter import run_eccentric_exciter as run_eccentric_exciter
 from .papers.virtual_bench import virtual_bench as virtual_bench
+from .parts import DependentAxle as DependentAxle
 from .parts import DoubleWishbone as DoubleWishbone
 from .parts import FullCar as FullCar
 from .parts import FullCar3D as FullCar3D

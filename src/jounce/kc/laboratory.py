@@ -12,12 +12,14 @@ from jounce.core.errors import DescriptionError, SimulationError, unknown
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kc.axle import SIDES, BuiltAxle
+from jounce.kc.builder import SIDES
+from jounce.kc.dependent import build_axle
 from jounce.kc.quantities import Poses, quantities
 from jounce.kc.tests import TESTS, KCTest
 from jounce.kernel import equilibrium as eq
 from jounce.kinematics.model import check_corner
 from jounce.parts import Corner, FullCar3D, Rig
+from jounce.parts.axles import DependentAxle
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,9 +44,11 @@ class State:
 class Laboratory:
     """An axle ready for tests: its arrays, and the state in which a test begins."""
 
-    def __init__(self, rig: Corner, travel: float = 0.0, rack: float | None = None) -> None:
+    def __init__(
+        self, rig: Corner | DependentAxle, travel: float = 0.0, rack: float | None = None
+    ) -> None:
         self.rig = rig
-        self.axle = BuiltAxle(rig)
+        self.axle = build_axle(rig)
         self.arrays, self.multipliers = self.axle.assembly.arrays()
         self.bodies = len(self.axle.assembly.bodies)
         self.controls = [name for name, *_ in self.axle.assembly.controls]
@@ -211,8 +215,10 @@ def _lowest(wheel: Array) -> float:
     return float(wheel[2] - wheel[6] * np.sqrt(1.0 - wheel[5] ** 2))
 
 
-def corner_of(axle: Rig, which: str | None) -> Corner:
-    """Return the corner of an axle: the rig itself, or an axle of a car."""
+def axle_of(axle: Rig, which: str | None) -> Corner | DependentAxle:
+    """Return what describes an axle: a corner, a dependent axle, or an axle of a car."""
+    if isinstance(axle, DependentAxle):
+        return axle
     if isinstance(axle, FullCar3D):
         if which not in ("front", "rear"):
             raise DescriptionError(
@@ -221,7 +227,7 @@ def corner_of(axle: Rig, which: str | None) -> Corner:
                 found=Phrase(str(which)),
                 allowed="front, rear",
             )
-        return check_corner(getattr(axle, which))
+        return getattr(axle, which).corner
     return check_corner(axle)
 
 
@@ -303,7 +309,7 @@ def kc_test(
     """
     if test not in TESTS:
         raise unknown(test, TESTS, what="test", where="test")
-    rig, kind = corner_of(axle, on), TESTS[test]
+    rig, kind = axle_of(axle, on), TESTS[test]
     rack = None if steer is None else to_si(steer, "m", where="steer")
     laboratory = Laboratory(rig, to_si(travel, "m", where="travel"), rack)
     return run_test(laboratory, kind, to, points, held, handwheel, trail)
@@ -365,7 +371,7 @@ def kc_tests(
     ['bounce', 'braking']
     """
     which = options.pop("on", None)
-    rig = corner_of(axle, which)  # type: ignore[arg-type]
+    rig = axle_of(axle, which)  # type: ignore[arg-type]
     rack = options.pop("steer", None)
     travel = to_si(options.pop("travel", 0.0), "m", where="travel")
     laboratory = Laboratory(

@@ -10,7 +10,7 @@ import xarray as xr
 
 from jounce.core.types import Array
 from jounce.kc.assembly import GROUND, Numbers
-from jounce.kc.axle import SIDES
+from jounce.kc.builder import SIDES
 from jounce.kernel import equilibrium as eq
 
 if TYPE_CHECKING:

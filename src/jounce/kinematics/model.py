@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 
 from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 from jounce.core.remembered import Recent
 from jounce.core.turns import once
 from jounce.core.types import Array
@@ -23,7 +24,7 @@ from jounce.kinematics.view import CornerView
 from jounce.mechanics.driven import DrivenMechanism, Quasistatic
 from jounce.models.attachments import still_third_law, third_law
 from jounce.models.corner import suspension
-from jounce.parts import Corner, FullCar3D, Rig
+from jounce.parts import Corner, DependentAxle, FullCar3D, Rig
 from jounce.parts.rig import structure_of
 
 _TRAVEL, _RACK = "travel", "rack"
@@ -122,6 +123,14 @@ def check_corner(rig: Rig) -> Corner:
     """Return the rig as a corner; raise an error without hardpoints."""
     if isinstance(rig, Corner):
         return rig
+    if isinstance(rig, DependentAxle):
+        raise DescriptionError(
+            "a dependent axle is not a corner",
+            where="rig",
+            found=Phrase('model = "{model}"', model=getattr(rig, "model", "")),
+            allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",
+            hint="Sweep it on the K&C rig: jn.kc_test, or `jounce kc`.",
+        )
     is_car = isinstance(rig, FullCar3D)
     raise DescriptionError(
         "only one corner can be swept at a time, not a whole car"

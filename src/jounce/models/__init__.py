@@ -6,6 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from jounce.control.actuators import AnyActuator
+from jounce.core.errors import DescriptionError
+from jounce.core.phrases import Phrase
 from jounce.core.remembered import Recent
 from jounce.mechanics import Model
 from jounce.models.corner import TEMPLATES, corner
@@ -42,7 +44,16 @@ def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None
     options: dict[str, Any] = {"detail": True} if key[1] else {}
     if actuator is not None:
         options["actuator"] = actuator
-    return _built.of(key, lambda: _BUILDERS[type(rig)](rig, **options))
+    builder = _BUILDERS.get(type(rig))
+    if builder is None:
+        raise DescriptionError(
+            "this axle does not run on roads yet",
+            where="rig",
+            found=Phrase('model = "{model}"', model=getattr(rig, "model", type(rig).__name__)),
+            allowed="a quarter car, a half or full car, or a 3-D corner",
+            hint="Test it on the K&C rig: jn.kc_test, or `jounce kc`.",
+        )
+    return _built.of(key, lambda: builder(rig, **options))
 
 
 __all__ = ["build", "corner", "quarter_car"]

@@ -228,7 +228,8 @@ def _check_toml(check: FileCheck) -> None:
 
 
 def _check_rig(check: FileCheck) -> None:
-    from jounce.parts import load, rig_findings
+    from jounce.kc.laboratory import Laboratory
+    from jounce.parts import DependentAxle, load, rig_findings
     from jounce.simulation import equilibrium
 
     rig = load(check.file)
@@ -241,7 +242,10 @@ def _check_rig(check: FileCheck) -> None:
         check.notes.append(f"note: {check.file}: {text}")
         return
     try:
-        equilibrium(rig)
+        if isinstance(rig, DependentAxle):
+            Laboratory(rig)
+        else:
+            equilibrium(rig)
     except JounceError as error:
         raise DescriptionError(
             Phrase("the rig has no equilibrium: {error}", error=error.message()),

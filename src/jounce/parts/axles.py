@@ -1,0 +1,328 @@
+"""Dependent axles: two wheels on one beam. Points are given on the left side; the right one is their mirror image."""
+
+from __future__ import annotations
+
+from typing import ClassVar, Literal, Self
+
+from pydantic import Field, model_validator
+
+from jounce.core.constants import GRAVITY
+from jounce.core.description import Description
+from jounce.core.misplaced import error_at
+from jounce.core.phrases import Phrase
+from jounce.core.units import Acceleration, PositiveRotationalStiffness
+from jounce.parts.bodies import Point, distance
+from jounce.parts.bushings import Bushing, Link, WheelBearing
+from jounce.parts.corners import SAME_POINT, Wheel, write_point
+from jounce.parts.elements import AntiRollBar, SpatialStrut
+from jounce.parts.rig import Rig
+
+CENTRED = 1e-6
+"""Distance in m from the centre plane of the car within which a point is in it."""
+
+
+class AxleHardpoints(Description):
+    """Points of all dependent axles: design positions in m, x forward, y left, z up; the road is z = 0.
+
+    Spring and damper act along the strut unless they have end points of their own.
+    """
+
+    wheel_centre: Point
+    strut_bottom: Point
+    strut_top: Point
+    spring_bottom: Point | None = None
+    spring_top: Point | None = None
+    damper_bottom: Point | None = None
+    damper_top: Point | None = None
+    arb_pivot: Point | None = None
+    arb_arm_end: Point | None = None
+    arb_link_end: Point | None = None
+
+    together: ClassVar[tuple[tuple[str, ...], ...]] = (
+        ("spring_bottom", "spring_top"),
+        ("damper_bottom", "damper_top"),
+        ("arb_pivot", "arb_arm_end", "arb_link_end"),
+    )
+    """Groups whose points must be given all together or not at all."""
+    apart: ClassVar[tuple[tuple[str, str], ...]] = (
+        ("strut_bottom", "strut_top"),
+        ("spring_bottom", "spring_top"),
+        ("damper_bottom", "damper_top"),
+        ("arb_arm_end", "arb_link_end"),
+    )
+    """Pairs that must differ."""
+    one_sided: ClassVar[tuple[str, ...]] = ()
+    """Points that exist once and may lie anywhere."""
+
+    @model_validator(mode="after")
+    def _can_be_built(self) -> Self:
+        kinds = [kind for kind in reversed(type(self).__mro__) if issubclass(kind, AxleHardpoints)]
+        for kind in kinds:
+            for group in vars(kind).get("together", ()):
+                missing = [name for name in group if getattr(self, name) is None]
+                if 0 < len(missing) < len(group):
+                    raise ValueError(
+                        Phrase(
+                            "{missing} is missing; give all of {group}, or none of them",
+                            missing=" and ".join(missing),
+                            group=", ".join(group),
+                        )
+                    )
+            for first, second in vars(kind).get("apart", ()):
+                a, b = getattr(self, first), getattr(self, second)
+                if a is not None and b is not None and distance(a, b) < SAME_POINT:
+                    raise error_at(
+                        (second,),
+                        Phrase("coincides with {name}", name=first),
+                        found=write_point(b),
+                        allowed="two points that differ",
+                    )
+        for name in type(self).model_fields:
+            point = getattr(self, name)
+            if point is not None and name not in self.one_sided and point[1] < -CENTRED:
+                raise error_at(
+                    (name,),
+                    "lies on the right side",
+                    found=write_point(point),
+                    allowed="points of the left side, y from 0",
+                    hint="The right side is their mirror image.",
+                )
+        if self.wheel_centre[1] < SAME_POINT:
+            raise error_at(
+                ("wheel_centre",),
+                "lies in the centre plane of the car",
+                found=write_point(self.wheel_centre),
+                allowed="a left wheel, y above 0",
+            )
+        return self
+
+
+class AxleStrut(SpatialStrut):
+    """Spring and damper between the axle and the car's body, the same on both sides."""
+
+    on: Literal["axle"] = "axle"
+
+
+class AxleBar(AntiRollBar):
+    """Anti-roll bar: its halves turn on the car's body, its links hold the axle."""
+
+    on: Literal["axle"] = "axle"
+    kind: Literal["u"] = "u"
+
+
+class AxleParts(Description):
+    """Bushings or stiffnesses of links by the name of a hardpoint or link."""
+
+
+class DependentAxle(Rig):
+    """Base of axles whose wheels are joined by a beam; forces and motions of one wheel move the other.
+
+    Units SI; x forward, y left, z up; all points in the design position. ``hardpoints`` are those of the left side.
+    """
+
+    schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
+    gravity: Acceleration = GRAVITY
+    wheel: Wheel
+    hardpoints: AxleHardpoints
+    strut: AxleStrut
+    bushings: AxleParts
+    links: AxleParts
+    anti_roll_bar: AxleBar | None = None
+    bearing: WheelBearing | None = None
+
+    side: ClassVar[str] = "left"
+    subframe: ClassVar[None] = None
+    torsion_bar: ClassVar[None] = None
+    third_spring: ClassVar[None] = None
+    without: ClassVar[tuple[str, ...]] = ()
+    has_strut: ClassVar[bool] = True
+
+    @model_validator(mode="after")
+    def _has_what_it_names(self) -> Self:
+        if (self.anti_roll_bar is None) != (self.hardpoints.arb_pivot is None):
+            raise error_at(
+                ("anti_roll_bar",),
+                "an anti-roll bar needs its table [anti_roll_bar] and hardpoints arb_pivot, arb_arm_end, arb_link_end",
+            )
+        points = self.hardpoints
+        named = [("bushings", name, name) for name in self._given("bushings")]
+        named += [
+            ("links", name, "arb_link_end" if name == "arb_link" else f"{name}_axle")
+            for name in self._given("links")
+        ]
+        for table, name, point in named:
+            if getattr(points, point) is None:
+                raise error_at((table, name), Phrase("the hardpoint {name} is missing", name=point))
+        return self
+
+    def _given(self, table: str) -> list[str]:
+        parts = getattr(self, table)
+        return [name for name in type(parts).model_fields if getattr(parts, name) is not None]
+
+
+class SolidAxleHardpoints(AxleHardpoints):
+    """Points of a solid axle on links; each ends on the axle and on the car's body.
+
+    Lower and upper links are on both sides; an upper link in the centre plane exists once. A Panhard rod or a Watt
+    linkage guides the axle sideways: ``watt_pivot`` is the pivot of its lever on the axle, and two rods connect the
+    ends of the lever to the body.
+    """
+
+    lower_link_axle: Point
+    lower_link_body: Point
+    upper_link_axle: Point | None = None
+    upper_link_body: Point | None = None
+    panhard_axle: Point | None = None
+    panhard_body: Point | None = None
+    watt_pivot: Point | None = None
+    watt_upper_axle: Point | None = None
+    watt_upper_body: Point | None = None
+    watt_lower_axle: Point | None = None
+    watt_lower_body: Point | None = None
+
+    together = (
+        ("upper_link_axle", "upper_link_body"),
+        ("panhard_axle", "panhard_body"),
+        ("watt_pivot", "watt_upper_axle", "watt_upper_body", "watt_lower_axle", "watt_lower_body"),
+    )
+    apart = (
+        ("lower_link_axle", "lower_link_body"),
+        ("upper_link_axle", "upper_link_body"),
+        ("panhard_axle", "panhard_body"),
+        ("watt_upper_axle", "watt_upper_body"),
+        ("watt_lower_axle", "watt_lower_body"),
+        ("watt_pivot", "watt_upper_axle"),
+        ("watt_pivot", "watt_lower_axle"),
+    )
+    one_sided = (
+        "panhard_axle",
+        "panhard_body",
+        "watt_pivot",
+        "watt_upper_axle",
+        "watt_upper_body",
+        "watt_lower_axle",
+        "watt_lower_body",
+    )
+
+    @property
+    def has_centre_link(self) -> bool:
+        """Whether the upper link exists once, in the centre plane."""
+        ends = self.upper_link_axle, self.upper_link_body
+        return all(end is not None and abs(end[1]) < CENTRED for end in ends)
+
+
+class SolidAxleBushings(AxleParts):
+    """Bushings in place of ball joints; those of the left side act on both."""
+
+    lower_link_axle: Bushing | None = None
+    lower_link_body: Bushing | None = None
+    upper_link_axle: Bushing | None = None
+    upper_link_body: Bushing | None = None
+    panhard_axle: Bushing | None = None
+    panhard_body: Bushing | None = None
+    watt_upper_axle: Bushing | None = None
+    watt_upper_body: Bushing | None = None
+    watt_lower_axle: Bushing | None = None
+    watt_lower_body: Bushing | None = None
+    strut_bottom: Bushing | None = None
+    strut_top: Bushing | None = None
+    spring_bottom: Bushing | None = None
+    spring_top: Bushing | None = None
+    damper_bottom: Bushing | None = None
+    damper_top: Bushing | None = None
+    arb_pivot: Bushing | None = None
+    arb_arm_end: Bushing | None = None
+    arb_link_end: Bushing | None = None
+
+
+class SolidAxleLinks(AxleParts):
+    """Links that yield under load."""
+
+    lower_link: Link | None = None
+    upper_link: Link | None = None
+    panhard: Link | None = None
+    watt_upper: Link | None = None
+    watt_lower: Link | None = None
+    arb_link: Link | None = None
+
+
+class SolidAxle(DependentAxle):
+    """Solid axle on two, three or four links, guided sideways by a Panhard rod, a Watt linkage or its upper links."""
+
+    model: Literal["solid-axle"] = "solid-axle"
+    hardpoints: SolidAxleHardpoints
+    bushings: SolidAxleBushings = SolidAxleBushings()
+    links: SolidAxleLinks = SolidAxleLinks()
+
+    @model_validator(mode="after")
+    def _is_guided_once(self) -> Self:
+        points = self.hardpoints
+        if points.panhard_axle is not None and points.watt_pivot is not None:
+            raise error_at(
+                ("hardpoints", "watt_pivot"),
+                "the axle is guided sideways twice, by a Panhard rod and a Watt linkage",
+                allowed="one of them",
+            )
+        return self
+
+
+class TwistBeamHardpoints(AxleHardpoints):
+    """Points of a twist beam: each half turns in a bushing at ``pivot``; the beam joins the halves.
+
+    ``shear_centre`` is the point in the centre plane of the car through which the beam's axis of twist runs, across
+    the car.
+    """
+
+    pivot: Point
+    shear_centre: Point
+
+    apart = (("pivot", "wheel_centre"),)
+    one_sided = ("shear_centre",)
+
+    @model_validator(mode="after")
+    def _beam_is_in_the_middle(self) -> Self:
+        if abs(self.shear_centre[1]) > CENTRED:
+            raise error_at(
+                ("shear_centre",),
+                "is not in the centre plane of the car",
+                found=write_point(self.shear_centre),
+                allowed="y = 0",
+            )
+        return self
+
+
+class TwistBeamBushings(AxleParts):
+    """Bushings; those of the left side act on both."""
+
+    pivot: Bushing | None = None
+    strut_bottom: Bushing | None = None
+    strut_top: Bushing | None = None
+    spring_bottom: Bushing | None = None
+    spring_top: Bushing | None = None
+    damper_bottom: Bushing | None = None
+    damper_top: Bushing | None = None
+    arb_pivot: Bushing | None = None
+    arb_arm_end: Bushing | None = None
+    arb_link_end: Bushing | None = None
+
+
+class TwistBeamLinks(AxleParts):
+    """Links that yield under load."""
+
+    arb_link: Link | None = None
+
+
+class Beam(Description):
+    """Beam between the halves: ``torsional_stiffness`` (N m/rad) of twist between the wheels' sides."""
+
+    torsional_stiffness: PositiveRotationalStiffness
+
+
+class TwistBeam(DependentAxle):
+    """Twist-beam axle: two trailing halves on a beam that is stiff in bending and soft in torsion."""
+
+    model: Literal["twist-beam"] = "twist-beam"
+    hardpoints: TwistBeamHardpoints
+    beam: Beam
+    bushings: TwistBeamBushings = TwistBeamBushings()
+    links: TwistBeamLinks = TwistBeamLinks()
