@@ -187,7 +187,7 @@ class AxleBuilder(ABC):
 
     def eye(self, point: str, body: int) -> int:
         """Return the body to which an end of spring or damper is attached: a bushing's eye, or the body itself."""
-        guides = self.rig.model == "mcpherson" and point == "strut_top"  # type: ignore[attr-defined]
+        guides = getattr(self.rig, "model", "") == "mcpherson" and point == "strut_top"
         if guides or not self.is_soft(point):  # the top mount of a McPherson strut is its joint
             return body
         name = self.called(f"{point}.eye")

@@ -227,7 +227,7 @@ def axle_of(axle: Rig, which: str | None) -> Corner | DependentAxle:
                 found=Phrase(str(which)),
                 allowed="front, rear",
             )
-        return getattr(axle, which).corner
+        return (axle.front if which == "front" else axle.rear).corner
     return check_corner(axle)
 
 

@@ -228,7 +228,6 @@ def _check_toml(check: FileCheck) -> None:
 
 
 def _check_rig(check: FileCheck) -> None:
-    from jounce.kc.laboratory import Laboratory
     from jounce.parts import DependentAxle, load, rig_findings
     from jounce.simulation import equilibrium
 
@@ -243,6 +242,8 @@ def _check_rig(check: FileCheck) -> None:
         return
     try:
         if isinstance(rig, DependentAxle):
+            from jounce.kc.laboratory import Laboratory
+
             Laboratory(rig)
         else:
             equilibrium(rig)

@@ -78,6 +78,8 @@ def test_every_model_has_its_class():
         "mcpherson": parts.McPherson,
         "five-link": parts.FiveLink,
         "trailing-arm": parts.TrailingArm,
+        "solid-axle": parts.SolidAxle,
+        "twist-beam": parts.TwistBeam,
     }
 
 
