@@ -135,6 +135,7 @@ from .inspection.record import read_record as read_record
 from .inspection.rig_inspection import inspect_rig as inspect_rig
 from .inspection.simulated import simulate_axle as simulate_axle
 from .inspection.simulated import simulate_inspection as simulate_inspection
+from .kc.centres import kc_centres as kc_centres
 from .kc.channels import KcColumn as KcColumn
 from .kc.channels import KcMap as KcMap
 from .kc.compared import compare_kc as compare_kc
@@ -145,6 +146,9 @@ from .kc.measured import KcMapProposal as KcMapProposal
 from .kc.measured import KcSheet as KcSheet
 from .kc.measured import kc_map as kc_map
 from .kc.measured import read_kc as read_kc
+from .kc.overview import KcOverview as KcOverview
+from .kc.overview import OverviewRow as OverviewRow
+from .kc.overview import kc_overview as kc_overview
 from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad

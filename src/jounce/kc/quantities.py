@@ -79,9 +79,9 @@ def wheel_quantities(
     mark = turned(pose, mark)
     upward = _cross(ahead, leftward)
     steer = _angle(-leftward[..., 0], leftward[..., 1])
-    down = _down(spin_axis)
-    contact = now + radius[..., None] * down
-    contact_at_design = centre + radius[..., None] * _down(axis)
+    towards_road = down(spin_axis)
+    contact = now + radius[..., None] * towards_road
+    contact_at_design = centre + radius[..., None] * down(axis)
     out = {
         "toe": -side * steer,
         "camber": -_arcsine(spin_axis[..., 2]),
@@ -96,7 +96,8 @@ def wheel_quantities(
     return out
 
 
-def _down(axis: Numbers) -> Numbers:
+def down(axis: Numbers) -> Numbers:
+    """Return the unit vector from a wheel's centre to its contact point, in the wheel's plane."""
     z = axis[..., 2]
     level = np.sqrt(1.0 - z**2)
     parts = [axis[..., 0] * z / level, axis[..., 1] * z / level, -level]
