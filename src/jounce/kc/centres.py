@@ -13,7 +13,7 @@ from jounce.kc.axle import SIDES
 from jounce.kc.laboratory import Laboratory, corner_of, loop
 from jounce.kc.quantities import down, moved, turned
 from jounce.kc.tests import TESTS, KCTest
-from jounce.parts import Rig
+from jounce.parts import Corner, Rig
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -87,8 +87,7 @@ def centres_of(laboratory: Laboratory) -> xr.Dataset:
     import xarray as xr
 
     given = _centres(laboratory)
-    ideal = _ideal(laboratory)
-    beside = given if ideal is None else _centres(ideal)
+    beside = _centres_of_ideal(laboratory) or given
     rows = {"roll_centre_height": ("m", "roll centre height, above the road")}
     rows |= {test: ("rad", f"support angle, {TESTS[test].what}") for test in SUPPORTS}
     return xr.Dataset(
@@ -100,11 +99,13 @@ def centres_of(laboratory: Laboratory) -> xr.Dataset:
     )
 
 
-def _ideal(laboratory: Laboratory) -> Laboratory | None:
-    """Return the laboratory of the same axle with ideal joints in the same state; None if they are ideal already."""
+def _centres_of_ideal(laboratory: Laboratory) -> dict[str, float]:
+    """Return those of the same axle with ideal joints in the same state; nothing if its joints are ideal already."""
     rig = laboratory.rig
+    if not isinstance(rig, Corner):
+        return dict.fromkeys(("roll_centre_height", *SUPPORTS), np.nan)
     if not rig.elastic_parts:
-        return None
+        return {}
     rigid: dict[str, object] = {"subframe": None, "bearing": None}
     rigid |= {name: type(getattr(rig, name))() for name in ("bushings", "links")}
     steering = getattr(rig, "steering", None)
@@ -112,7 +113,7 @@ def _ideal(laboratory: Laboratory) -> Laboratory | None:
         rigid["steering"] = steering.model_copy(update={"column_stiffness": None, "housing": ()})
     travel = float((laboratory.state.heights - laboratory.design).mean())
     rack = laboratory.state.rack if laboratory.axle.steered else None
-    return Laboratory(rig.model_copy(update=rigid), travel, rack)
+    return _centres(Laboratory(rig.model_copy(update=rigid), travel, rack))
 
 
 def _centres(laboratory: Laboratory) -> dict[str, float]:

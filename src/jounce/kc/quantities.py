@@ -184,7 +184,26 @@ def quantities(poses: Poses) -> dict[str, xr.Variable]:
             "force of the handwheel on the rack",
             "to the left",
         )
+        _keep_handwheel(poses, element.second, (at, direction), keep)
     return out
+
+
+def _keep_handwheel(poses: Poses, driven: int, along: tuple[Array, Array], keep: Any) -> None:
+    """Keep angle and torque of the handwheel, if the ratio of the rack is known."""
+    from jounce.kinematics.column import handwheel_angle, pinion_angle
+
+    steering = getattr(poses.laboratory.rig, "steering", None)
+    if steering is None or steering.rack_ratio is None:
+        return
+    at, direction = along
+    travel = (moved(poses.places()[:, driven], at) - at) @ direction
+    angle = np.full_like(travel, np.nan)
+    known = np.isfinite(travel)
+    angle[known] = handwheel_angle(steering, travel[known])
+    by_hand = poses.control_force("rack") / (1.0 + (steering.assistance or 0.0))
+    torque = by_hand * steering.rack_ratio * pinion_angle(steering, angle)[1]
+    keep("handwheel_angle", angle, "rad", "angle of the handwheel", "to the left")
+    keep("handwheel_torque", torque, "N*m", "torque on the handwheel", "to the left")
 
 
 def _keep_road(poses: Poses, k: int, side: str, keep: Any) -> None:
