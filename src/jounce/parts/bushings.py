@@ -283,8 +283,8 @@ def _slope_at_design(curve: BushingCurve) -> float:
 class Mount(Bushing):
     """Bushing between the car's body and a part that belongs to both sides, at ``point`` (m).
 
-    The first body is the car's. The other side has its mirror image: a mount in the centre plane of the car counts
-    twice.
+    The first body is the car's. The other side has its mirror image; a mount in the centre plane of the car counts
+    once.
     """
 
     point: Point

@@ -17,7 +17,6 @@ _NONE = 1e-9
 """Stiffness, relative to the largest of its part, that counts as none."""
 _ZERO = 0.01
 """Load of a curve at zero displacement over its largest load, above which it acts as a preload."""
-_MIDDLE = 1e-6  # m: a mount nearer to the centre plane of the car is its own mirror image
 
 
 def compliance_findings(rig: Corner) -> Iterator[Finding]:
@@ -131,12 +130,9 @@ def _loose_about(rig: Corner, bushing: Bushing) -> list[str]:
 
 
 def _check_mounts(place: str, mounts: tuple[Mount, ...]) -> Iterator[Finding]:
-    """Report a part on mounts that can move freely, and mounts that are their own mirror images."""
+    """Report a part that can move freely on its mounts."""
     if not mounts:
         return
-    for i, mount in enumerate(mounts):
-        if abs(mount.point[1]) < _MIDDLE:
-            yield finding("parts.mount_twice", f"{place}[{i}].point")
     size = max(float(np.ptp([mount.point for mount in mounts], axis=0).max()), 0.1)
     centre = np.mean([mount.point for mount in mounts], axis=0) * (1.0, 0.0, 1.0)
     held = np.zeros((6, 6))

@@ -96,7 +96,12 @@ def test_round_trip_is_exact(rate):
 @pytest.mark.parametrize("name", list(parts.library()))
 def test_shipped_files(name, tmp_path):
     rig = load(name)
-    values = {path: value * 1.0003 + 1e-7 for path, value in rig.parameters().items()}
+    lossy = [path.removesuffix("loss_angle") for path in rig.parameters() if "loss_angle" in path]
+    dampings = tuple(f"{path}damping[" for path in lossy)  # a loss angle allows no damping
+    values = {
+        path: value if path.startswith(dampings) else value * 1.0003 + 1e-7
+        for path, value in rig.parameters().items()
+    }
     file = tmp_path / "new.toml"
     file.write_text(changed_text(parts.library()[name].read_text(), rig, values), encoding="utf-8")
     assert load(file).parameters() == values
