@@ -17,7 +17,8 @@ from jounce.core.misplaced import error_at
 from jounce.core.text import without_accents
 from jounce.core.units import Number, PositiveLength, is_unit_of
 from jounce.kc.conventions import CONVENTIONS, SignConvention
-from jounce.kc.vocabulary import AXLE_QUANTITIES, KC_TESTS, QUANTITIES, WHEEL_QUANTITIES
+from jounce.kc.tests import TESTS
+from jounce.kc.vocabulary import AXLE_QUANTITIES, QUANTITIES, WHEEL_QUANTITIES
 
 SCHEMA = "jounce.kc-map/1"
 Wheel = Literal["left", "right"]
@@ -85,13 +86,13 @@ def _column_keys(text: str) -> dict[str, Any]:
 
 
 def _check_test(name: str | None, path: tuple[str, ...]) -> None:
-    if name is not None and name not in KC_TESTS:
+    if name is not None and name not in TESTS:
         raise error_at(
             path,
             "unknown test",
             found=name,
-            allowed=", ".join(KC_TESTS),
-            hint=nearest(name, KC_TESTS),
+            allowed=", ".join(TESTS),
+            hint=nearest(name, TESTS),
         )
 
 

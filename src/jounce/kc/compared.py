@@ -13,7 +13,8 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kc.loops import lines_of
 from jounce.kc.slopes import kc_slopes, slope_unit
-from jounce.kc.vocabulary import KC_TESTS, WHEELS, quantity_name
+from jounce.kc.tests import TESTS
+from jounce.kc.vocabulary import WHEELS, quantity_name
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -46,8 +47,8 @@ def compare_kc(
     """Compare simulated with measured K&C tests, quantity by quantity, and judge each against a tolerance.
 
     Mean curves of both branches are compared over the inputs that both cover, as changes from zero input: a different
-    static value is the ``offset``. If the rig's input is the travel of the wheel centre, or a handwheel angle where
-    the model has a rack travel, the model's own value of it is used.
+    static value is the ``offset``. Bounce and roll are compared over the travel of the wheel centres if both have it,
+    because the model's tyre is rigid. A handwheel angle is compared with the model's own.
 
     Parameters
     ----------
@@ -112,7 +113,7 @@ def _tests(given: Mapping[str, xr.Dataset] | xr.Dataset, where: str) -> dict[str
 
 
 def _place(test: str) -> int:
-    names = [*KC_TESTS]
+    names = [*TESTS]
     return names.index(test) if test in names else len(names)
 
 
@@ -143,13 +144,17 @@ def _compare_test(
     findings: list[Finding],
 ) -> list[dict[str, Any]]:
     unit = str(theirs["input"].attrs.get("units", "1"))
-    sweep = _same_input(ours, theirs)
-    if sweep is None:
+    inputs = _same_inputs(ours, theirs)
+    if inputs is None:
         other = str(ours["input"].attrs.get("units", "1"))
         findings.append(finding("kc.other_input", test, unit=unit, other=other))
         return []
-    ours = ours.assign_coords(input=("sample", sweep, {"units": unit}))
-    reached = np.asarray(theirs["input"].values, dtype=float)
+    known = [np.isfinite(sweep) for sweep in inputs]
+    ours, theirs = (
+        data.assign_coords(input=("sample", sweep, {"units": unit})).isel(sample=good)
+        for data, sweep, good in zip((ours, theirs), inputs, known, strict=True)
+    )
+    sweep, reached = _values(ours, "input"), _values(theirs, "input")
     low, high = (
         max(float(sweep.min()), float(reached.min())),
         min(float(sweep.max()), float(reached.max())),
@@ -175,7 +180,7 @@ def _compare_test(
                 for key in ("slope", "nonlinearity", "hysteresis")
             }
         curves = [
-            lines_of(x, np.asarray(data[name].values, dtype=float), grid).mean
+            lines_of(x, _values(data, name), grid).mean
             for x, data in ((sweep, ours), (reached, theirs))
         ]
         allowed = _allowed(test, theirs[name], curves[1], tolerances)
@@ -183,25 +188,36 @@ def _compare_test(
     return rows
 
 
-def _same_input(ours: xr.Dataset, theirs: xr.Dataset) -> Array | None:
-    """Return the model's value of what the rig swept; None if it has none."""
+def _same_inputs(ours: xr.Dataset, theirs: xr.Dataset) -> tuple[Array, Array] | None:
+    """Return what both tests are compared over, in the unit of the measured input; None if the model has no value.
+
+    Pads also deflect the tyre, which the model takes as rigid: travels of the wheel centre count if both have them.
+    """
     made_of = str(theirs.attrs.get("input_quantity", ""))
-    unit = str(theirs["input"].attrs.get("units", "1"))
-    if made_of == "wheel_centre_z":
-        names = [f"{wheel}.wheel_centre_z" for wheel in WHEELS]
-        test = str(theirs.attrs.get("test", ""))
-        present = [name for name in names if name in theirs and name in ours]
-        if test == "bounce" and present:
-            heights = [np.asarray(ours[name].values, dtype=float) for name in present]
-            return np.asarray(np.mean(heights, axis=0), dtype=float)
-        if test == "roll" and len(present) == len(WHEELS) and "track" in theirs.attrs:
-            left, right = (np.asarray(ours[name].values, dtype=float) for name in present)
-            return np.asarray((left - right) / float(theirs.attrs["track"]), dtype=float)
+    test, measured = str(theirs.attrs.get("test", "")), _values(theirs, "input")
+    names = [f"{wheel}.wheel_centre_z" for wheel in WHEELS]
+    present = [name for name in names if name in theirs and name in ours]
+    if test == "bounce" and present:
+        ours_z, theirs_z = (
+            np.mean([_values(data, name) for name in present], axis=0) for data in (ours, theirs)
+        )
+        return ours_z, theirs_z
+    track = ours.attrs.get("track", theirs.attrs.get("track"))
+    if test == "roll" and len(present) == len(WHEELS) and track is not None:
+        ours_roll, theirs_roll = (
+            (_values(data, names[0]) - _values(data, names[1])) / float(track)
+            for data in (ours, theirs)
+        )
+        return ours_roll, theirs_roll
     if made_of in ("rack_travel", "handwheel_angle") and made_of in ours:
-        return np.asarray(ours[made_of].values, dtype=float)
-    if str(ours["input"].attrs.get("units", "1")) == unit:
-        return np.asarray(ours["input"].values, dtype=float)
+        return _values(ours, made_of), measured
+    if str(ours["input"].attrs.get("units", "1")) == str(theirs["input"].attrs.get("units", "1")):
+        return _values(ours, "input"), measured
     return None
+
+
+def _values(data: xr.Dataset, name: str) -> Array:
+    return np.asarray(data[name].values, dtype=float)
 
 
 def _allowed(

@@ -21,7 +21,8 @@ from jounce.kc.readings import Readings, channels_of, proposed_entry, read_secti
 from jounce.kc.rig_tests import named_test, recognised_test, swept_input
 from jounce.kc.sections import Section, read_sections
 from jounce.kc.sheet_checks import check_sheet, check_test
-from jounce.kc.vocabulary import KC_TESTS, QUANTITIES, ZEROED, quantity_name
+from jounce.kc.tests import TESTS
+from jounce.kc.vocabulary import QUANTITIES, ZEROED, quantity_name
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,7 +43,7 @@ class KcSheet(dict[str, "xr.Dataset"]):
     """
 
     def __init__(self, tests: Mapping[str, xr.Dataset], findings: Iterable[Finding] = ()) -> None:
-        super().__init__({name: tests[name] for name in KC_TESTS if name in tests})
+        super().__init__({name: tests[name] for name in TESTS if name in tests})
         self.findings = tuple(findings)
 
 
@@ -190,7 +191,7 @@ def _unknown_test(section: Section, readings: Readings) -> RecordingError:
         "no test is recognised",
         where=section.place,
         found=", ".join(readings.values) or ", ".join(section.table.names),
-        allowed=", ".join(KC_TESTS),
+        allowed=", ".join(TESTS),
         hint="Name it in the file, or in tests of the channel map; map columns that are not recognised.",
     )
 
@@ -235,12 +236,14 @@ def _dataset(
         quantity = QUANTITIES[quantity_name(name)]
         openings[name] = lines.opening / max(_span(values[name]), 1e-300)
         about: dict[str, Any] = {"units": quantity.unit, "long_name": quantity.label}
+        about |= {"positive": quantity.positive} if quantity.positive else {}
         about |= {"noise": spread, "hysteresis": lines.opening}
         about |= {"zero": zeros[name]} if name in zeros else {}
         about |= {"drift": drifts[name]} if name in drifts else {}
         variables[name] = ("sample", values[name], about)
+    label = {"units": unit, "long_name": TESTS[test].what, "positive": TESTS[test].positive}
     coordinates = {
-        "input": ("sample", sweep, {"units": unit, "long_name": KC_TESTS[test].label}),
+        "input": ("sample", sweep, label),
         "direction": ("sample", directions_of(sweep), {"units": "1", "long_name": "direction"}),
     }
     dataset = xr.Dataset(variables, coordinates)
@@ -286,7 +289,7 @@ def _zero_input(
         findings.append(finding("kc.height_zeroed", place, first, height=first))
         return sweep - first, values
     least = float(sweep[np.argmin(np.abs(sweep))])
-    unit = KC_TESTS[test].unit
+    unit = TESTS[test].unit
     findings.append(finding("kc.no_zero", place, least, least=least, unit=unit))
     return sweep, values
 

@@ -24,7 +24,8 @@ from jounce.kc.channels import (
 from jounce.kc.conventions import SignConvention
 from jounce.kc.gauges import toe_of_distance, toe_of_gauges
 from jounce.kc.sections import Section
-from jounce.kc.vocabulary import KC_TESTS, QUANTITIES, WHEELS
+from jounce.kc.tests import TESTS
+from jounce.kc.vocabulary import INPUTS, QUANTITIES, WHEELS
 
 _ANGLES = ("rad", "deg")
 
@@ -150,7 +151,7 @@ def _as_input(
     target = QUANTITIES[channel.quantity].target or channel.quantity
     if target in ("contact_point_z", "wheel_centre_z") and test in (None, "bounce"):
         wheel = "both"
-    elif test is not None and KC_TESTS[test].quantity == target:
+    elif test is not None and INPUTS[TESTS[test].kind] == target:
         wheel = "input"
     else:
         findings.append(finding("kc.no_wheel", place, column=channel.label))
@@ -178,7 +179,7 @@ def _in_si(
 ) -> tuple[Array, bool]:
     """Return the readings in jounce's unit and sign, and whether their unit had to be assumed."""
     quantity, column = QUANTITIES[channel.quantity], channel.column
-    si = quantity.unit or KC_TESTS[test or "bounce"].unit
+    si = quantity.unit or TESTS[test or "bounce"].unit
     unit = channel.unit or (quantity.usual if quantity.unit else "")
     values = _numbers(column, rows)
     if channel.entry is not None:

@@ -10,7 +10,8 @@ import numpy as np
 from jounce.core.errors import RecordingError
 from jounce.core.text import without_accents
 from jounce.core.types import Array
-from jounce.kc.vocabulary import KC_TESTS
+from jounce.kc.tests import TESTS
+from jounce.kc.vocabulary import INPUTS
 
 _OPPOSED = r"oppos|out of phase|anti ?phase|gegen"
 _TRAVELLED, _FORCED, _STEERED, _TURNED = 0.004, 100.0, 0.004, 0.3
@@ -31,7 +32,7 @@ def named_test(names: Iterable[str]) -> str:
 def _named(name: str) -> str:
     plain = " ".join(re.findall(r"[^\W_]+", without_accents(name)))
     exact = plain.replace(" ", "-")
-    if exact in KC_TESTS:
+    if exact in TESTS:
         return exact
     for pattern, test in (
         (r"brak|brems", "braking-inboard" if "inboard" in plain else "braking"),
@@ -132,7 +133,7 @@ def swept_input(
     Raises RecordingError if the readings hold no input of the test.
     """
     if "input" in values:
-        return values["input"], KC_TESTS[test].unit, "input"
+        return values["input"], TESTS[test].unit, "input"
     if test in ("bounce", "roll"):
         return _of_travel(test, values, track, where)
     if test == "steer":
@@ -140,21 +141,30 @@ def swept_input(
             if name in values:
                 return values[name], unit, name
         raise _no_input(test, "rack travel or handwheel angle", where)
-    quantity = KC_TESTS[test].quantity
+    quantity = INPUTS[TESTS[test].kind]
     left, right = (values.get(f"{wheel}.{quantity}") for wheel in ("left", "right"))
     sign = -1.0 if test.startswith("braking") else 1.0
     opposed = -1.0 if test.endswith("opposed") else 1.0
     if test in ("lateral-left", "lateral-right"):
         own = left if test == "lateral-left" else right
         if own is None:
-            raise _no_input(test, KC_TESTS[test].label, where)
-        return own, KC_TESTS[test].unit, quantity
+            raise _no_input(test, TESTS[test].what, where)
+        return own, TESTS[test].unit, quantity
     parts = [
         part for part in (left, None if right is None else opposed * right) if part is not None
     ]
     if not parts:
-        raise _no_input(test, KC_TESTS[test].label, where)
-    return sign * np.mean(parts, axis=0), KC_TESTS[test].unit, quantity
+        raise _no_input(test, TESTS[test].what, where)
+    together = np.asarray(np.mean(parts, axis=0), dtype=float)
+    if len(parts) == 2 and np.ptp(together) < 0.2 * max(np.ptp(part) for part in parts):
+        raise RecordingError(
+            "left and right are not loaded as in this test",
+            where=where,
+            found=test,
+            allowed="equal forces" if opposed > 0.0 else "opposite forces",
+            hint="Is it another test, or is the sign of one side wrong?",
+        )
+    return sign * together, TESTS[test].unit, quantity
 
 
 def _of_travel(
@@ -176,7 +186,7 @@ def _of_travel(
                     hint='Give it: track="1.5 m", or track in the channel map.',
                 )
             return (left - right) / track, "rad", quantity
-    raise _no_input(test, KC_TESTS[test].label, where)
+    raise _no_input(test, TESTS[test].what, where)
 
 
 def _no_input(test: str, wanted: str, where: str) -> RecordingError:

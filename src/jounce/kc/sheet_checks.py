@@ -12,7 +12,8 @@ from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.kc.loops import noise_of
 from jounce.kc.readings import Channel
-from jounce.kc.vocabulary import KC_TESTS, QUANTITIES, WHEELS, quantity_name
+from jounce.kc.tests import TESTS
+from jounce.kc.vocabulary import INPUTS, QUANTITIES, WHEELS, mirror_of, quantity_name
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -116,7 +117,7 @@ def _passivity(
     test: str, values: Mapping[str, Array], labels: Mapping[str, str], place: str
 ) -> Iterator[Finding]:
     """Yield movements against the force that causes them: no suspension gives work back along a whole sweep."""
-    force = KC_TESTS[test].quantity
+    force = INPUTS[TESTS[test].kind]
     if test in ("lateral-trail", "braking-inboard", "driving") or force not in _PASSIVE:
         return
     for wheel in WHEELS:
@@ -167,7 +168,7 @@ def _mirrors(
     test: str, changes: Mapping[str, float], labels: Mapping[str, str], place: str
 ) -> Iterator[Finding]:
     """Yield quantities of similar size on both wheels whose signs are not those of mirror images."""
-    mirror = KC_TESTS[test].mirror
+    mirror = mirror_of(test)
     for quantity in _MIRRORED if mirror else ():
         left, right = (changes.get(f"{wheel}.{quantity}") for wheel in WHEELS)
         if left is None or right is None or (quantity == "steer" and "left.toe" in changes):
@@ -183,7 +184,7 @@ def _mirrors(
 def check_sheet(tests: Mapping[str, xr.Dataset]) -> list[Finding]:
     """Return what looks wrong between the tests of a sheet: wheels exchanged in roll, and missing tests."""
     findings = [*_exchanged(tests)]
-    missing = [name for name in KC_TESTS if name not in tests]
+    missing = [name for name in TESTS if name not in tests]
     usual = [name for name in missing if name in _USUAL]
     if len(tests) >= _FULL and usual:
         findings.append(finding("kc.tests_missing", "sheet", names=usual))

@@ -1,4 +1,4 @@
-"""Names of tests and quantities on a K&C sheet, with units, and how left and right answer each other."""
+"""Quantities on a measured K&C sheet, with units and signs, and how left and right answer each other in a test."""
 
 from __future__ import annotations
 
@@ -6,49 +6,33 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from jounce.kc.tests import TESTS
+
 Axis = Literal["x", "y", "z", "turn", "road x", "road y", "road z", "toe", "camber", "steer", ""]
 """What of a sign convention decides the sign of a quantity; empty: the same sign in every convention."""
 
 
-@dataclass(frozen=True)
-class KcTest:
-    """A test of the laboratory.
+INPUTS: Mapping[str, str] = {
+    "heights": "contact_point_z",
+    "roll": "roll_angle",
+    "rack": "rack_travel",
+    "lateral": "lateral_force",
+    "longitudinal": "longitudinal_force",
+    "aligning": "aligning_moment",
+}
+"""Quantity that the input is made of, by the kind of a test."""
 
-    Attributes
-    ----------
-    label : str
-        What is swept.
-    unit : str
-        SI unit of the input.
-    mirror : {1, -1, 0}
-        1: the wheels answer as mirror images, -1: as opposites of mirror images, 0: neither, only one wheel is loaded.
-    quantity : str
-        Quantity that the input is made of.
+
+def mirror_of(test: str) -> int:
+    """Return 1 if the wheels answer a test as mirror images, -1 as opposites of them, 0 if only one is loaded.
+
+    >>> mirror_of("lateral-opposed"), mirror_of("lateral-in-phase"), mirror_of("lateral-left"), mirror_of("roll")
+    (1, -1, 0, -1)
     """
-
-    label: str
-    unit: str
-    mirror: int
-    quantity: str
-
-
-KC_TESTS: Mapping[str, KcTest] = {
-    "bounce": KcTest("height of both pads, bump positive", "m", 1, "contact_point_z"),
-    "roll": KcTest("roll of the pads, left pad up positive", "rad", -1, "roll_angle"),
-    "steer": KcTest("rack travel, to the left positive", "m", -1, "rack_travel"),
-    "lateral-in-phase": KcTest("lateral force per wheel, left positive", "N", -1, "lateral_force"),
-    "lateral-opposed": KcTest("lateral force per wheel, outwards positive", "N", 1, "lateral_force"),
-    "lateral-left": KcTest("lateral force on the left wheel", "N", 0, "lateral_force"),
-    "lateral-right": KcTest("lateral force on the right wheel", "N", 0, "lateral_force"),
-    "lateral-trail": KcTest("lateral force per wheel, behind the patch", "N", -1, "lateral_force"),
-    "braking": KcTest("force per wheel, rearward positive", "N", 1, "longitudinal_force"),
-    "braking-inboard": KcTest("force per wheel, rearward positive", "N", 1, "longitudinal_force"),
-    "driving": KcTest("force per wheel, forward positive", "N", 1, "longitudinal_force"),
-    "driving-hub": KcTest("force per wheel, forward positive", "N", 1, "longitudinal_force"),
-    "aligning-in-phase": KcTest("moment per wheel about +z", "N*m", -1, "aligning_moment"),
-    "aligning-opposed": KcTest("moment, left wheel +z, right wheel -z", "N*m", 1, "aligning_moment"),
-}  # fmt: skip
-"""Every test by its name, in the order of the sheet."""
+    kind, (left, right) = TESTS[test].kind, TESTS[test].shares
+    if kind in ("lateral", "aligning"):
+        return int(-left * right)
+    return -1 if kind in ("roll", "rack") else 1
 
 
 @dataclass(frozen=True)
@@ -58,7 +42,9 @@ class KcQuantity:
     Attributes
     ----------
     label : str
-        What it is, with its sign.
+        What it is.
+    positive : str
+        Its sign.
     unit : str
         SI unit.
     usual : str
@@ -74,6 +60,7 @@ class KcQuantity:
     """
 
     label: str
+    positive: str
     unit: str
     usual: str
     axis: Axis = ""
@@ -83,39 +70,39 @@ class KcQuantity:
 
 
 WHEEL_QUANTITIES: Mapping[str, KcQuantity] = {
-    "toe": KcQuantity("toe angle, toe-in positive", "rad", "deg", "toe"),
-    "camber": KcQuantity("camber angle, top outward positive", "rad", "deg", "camber"),
-    "steer": KcQuantity("steer angle about +z", "rad", "deg", "steer", -1),
-    "caster": KcQuantity("caster angle, top rearward positive", "rad", "deg"),
-    "spin": KcQuantity("rotation of the wheel carrier, forward rolling positive", "rad", "deg"),
-    "wheel_centre_x": KcQuantity("movement of the wheel centre, forward", "m", "mm", "x"),
-    "wheel_centre_y": KcQuantity("movement of the wheel centre, to the left", "m", "mm", "y", -1),
-    "wheel_centre_z": KcQuantity("movement of the wheel centre, up", "m", "mm", "z"),
-    "contact_point_x": KcQuantity("movement of the contact point, forward", "m", "mm", "x"),
-    "contact_point_y": KcQuantity("movement of the contact point, to the left", "m", "mm", "y", -1),
-    "contact_point_z": KcQuantity("movement of the contact point, up", "m", "mm", "z"),
-    "vertical_force": KcQuantity("force of the road on the tyre, up", "N", "N", "road z"),
-    "lateral_force": KcQuantity("force of the road on the tyre, to the left", "N", "N", "road y", -1),
-    "longitudinal_force": KcQuantity("force of the road on the tyre, forward", "N", "N", "road x"),
-    "aligning_moment": KcQuantity("moment of the road on the tyre about +z", "N*m", "N*m", "road z", -1),
-    "spring_force": KcQuantity("force of the spring, compression positive", "N", "N"),
-    "wheel_travel": KcQuantity("wheel travel, bump positive", "m", "mm", target="wheel_centre_z"),
-    "pad_height": KcQuantity("height of the pad, up positive", "m", "mm", target="contact_point_z"),
-    "wheel_load": KcQuantity("wheel load, compression positive", "N", "N", target="vertical_force"),
-    "brake_force": KcQuantity("brake force, rearward positive", "N", "N", target="longitudinal_force", times=-1),
-    "toe_front_gauge": KcQuantity("dial gauge at the front of the wheel, outward positive", "m", "mm"),
-    "toe_rear_gauge": KcQuantity("dial gauge at the rear of the wheel, outward positive", "m", "mm"),
+    "toe": KcQuantity("toe angle", "toe-in", "rad", "deg", "toe"),
+    "camber": KcQuantity("camber angle", "top outward", "rad", "deg", "camber"),
+    "steer": KcQuantity("steer angle", "about +z", "rad", "deg", "steer", -1),
+    "caster": KcQuantity("caster angle", "top rearward", "rad", "deg"),
+    "spin": KcQuantity("rotation of the wheel carrier about the wheel's axis", "as in rolling forward", "rad", "deg"),
+    "wheel_centre_x": KcQuantity("wheel centre, from design", "forward", "m", "mm", "x"),
+    "wheel_centre_y": KcQuantity("wheel centre, from design", "to the left", "m", "mm", "y", -1),
+    "wheel_centre_z": KcQuantity("wheel centre, from design", "up", "m", "mm", "z"),
+    "contact_point_x": KcQuantity("contact point, from design", "forward", "m", "mm", "x"),
+    "contact_point_y": KcQuantity("contact point, from design", "to the left", "m", "mm", "y", -1),
+    "contact_point_z": KcQuantity("contact point, from design", "up", "m", "mm", "z"),
+    "vertical_force": KcQuantity("force of the road on the tyre", "up", "N", "N", "road z"),
+    "lateral_force": KcQuantity("force of the road on the tyre", "to the left", "N", "N", "road y", -1),
+    "longitudinal_force": KcQuantity("force of the road on the tyre", "forward", "N", "N", "road x"),
+    "aligning_moment": KcQuantity("moment of the road on the tyre", "about +z", "N*m", "N*m", "road z", -1),
+    "spring_force": KcQuantity("force of the spring", "compression", "N", "N"),
+    "wheel_travel": KcQuantity("wheel travel", "bump", "m", "mm", target="wheel_centre_z"),
+    "pad_height": KcQuantity("height of the pad", "up", "m", "mm", target="contact_point_z"),
+    "wheel_load": KcQuantity("wheel load", "compression", "N", "N", target="vertical_force"),
+    "brake_force": KcQuantity("brake force", "rearward", "N", "N", target="longitudinal_force", times=-1),
+    "toe_front_gauge": KcQuantity("dial gauge at the front of the wheel", "outward", "m", "mm"),
+    "toe_rear_gauge": KcQuantity("dial gauge at the rear of the wheel", "outward", "m", "mm"),
 }  # fmt: skip
 """Quantities of each wheel by name."""
 
 AXLE_QUANTITIES: Mapping[str, KcQuantity] = {
-    "rack_travel": KcQuantity("rack travel, to the left positive", "m", "mm", "y"),
-    "rack_force": KcQuantity("force of the rack, to the left positive", "N", "N", "y"),
-    "handwheel_angle": KcQuantity("handwheel angle, to the left positive", "rad", "deg", "steer"),
-    "handwheel_torque": KcQuantity("handwheel torque, to the left positive", "N*m", "N*m", "steer"),
-    "roll_angle": KcQuantity("roll angle of the pads, left pad up positive", "rad", "deg", "turn"),
-    "gauge_base": KcQuantity("distance of the two toe gauges", "m", "mm"),
-    "input": KcQuantity("input of the test", "", ""),
+    "rack_travel": KcQuantity("travel of the rack on the body", "to the left", "m", "mm", "y"),
+    "rack_force": KcQuantity("force of the handwheel on the rack", "to the left", "N", "N", "y"),
+    "handwheel_angle": KcQuantity("handwheel angle", "to the left", "rad", "deg", "steer"),
+    "handwheel_torque": KcQuantity("handwheel torque", "to the left", "N*m", "N*m", "steer"),
+    "roll_angle": KcQuantity("roll angle of the pads", "left pad up", "rad", "deg", "turn"),
+    "gauge_base": KcQuantity("distance of the two toe gauges", "", "m", "mm"),
+    "input": KcQuantity("input of the test", "", "", ""),
 }
 """Quantities of the axle by name."""
 

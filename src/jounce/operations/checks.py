@@ -571,6 +571,13 @@ def _check_layout(check: FileCheck) -> None:
             )
 
 
+def _check_kc_map(check: FileCheck) -> None:
+    from jounce.kc.channels import as_map
+
+    rig = as_map(check.file)
+    check.what = f"{len(rig.columns)} columns, {len(rig.tests)} tests"
+
+
 _SCHEMAS: dict[str, Callable[[FileCheck], None]] = {
     "jounce.rig/1": _check_rig,
     "jounce.vehicle/1": _check_rig,
@@ -586,4 +593,5 @@ _SCHEMAS: dict[str, Callable[[FileCheck], None]] = {
     "jounce.sweep/1": _check_sweep,
     "jounce.optimisation/1": _check_optimisation,
     "jounce.layout/1": _check_layout,
+    "jounce.kc-map/1": _check_kc_map,
 }

@@ -123,6 +123,19 @@ bias = "0 m/s^2"
 datum = "rest"
 """
 
+_KC_MAP = """schema = "jounce.kc-map/1"
+convention = {y = "right", z = "down", steer = "right"}
+track = "1.5 m"
+gauge_base = "400 mm"
+wheel = "left"
+axle = "front"
+[tests]
+"Run 07" = "lateral-opposed"
+[columns]
+ch0 = "left.toe [deg]"
+ch1 = {quantity = "camber", wheel = "right", unit = "deg", sign = -1, offset = 0.5, test = "bounce"}
+"""
+
 KINDS = {
     "rig": Kind(_shipped(*_LIBRARY, "kart-quarter-car.toml"), use="modes given.toml"),
     "rig in 3-D": Kind(_shipped(*_LIBRARY, "kart-double-wishbone.toml"), use="modes given.toml"),
@@ -151,6 +164,7 @@ KINDS = {
     ),
     "laboratory": Kind(lambda: _LABORATORY, use="campaign sheet given.toml"),
     "sensors": Kind(lambda: _SENSORS, use="analyse statistics lane.csv --sensors given.toml"),
+    "kc-map": Kind(lambda: _KC_MAP),
     "design": Kind(lambda: _DESIGN),
     "sweep": Kind(lambda: _SWEEP),
     "optimisation": Kind(lambda: _OPTIMISATION),
@@ -266,7 +280,7 @@ def damaged(kind: str, line: int, wrong: str) -> tuple[bytes, bool]:
     if wrong == "bytes":
         return text[: len(text) // 2] + bytes(range(128, 200)) + text[len(text) // 2 :], True
     return re.sub(
-        rb'schema = "jounce\.\w+/1"', b'schema = "jounce.nothing/7"', text, count=1
+        rb'schema = "jounce\.[\w-]+/1"', b'schema = "jounce.nothing/7"', text, count=1
     ), b"schema =" in text
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -130,3 +132,53 @@ def test_loops_are_compared_by_their_mean_lines() -> None:
     assert float(table["difference"]) < 2.1e-4
     assert float(table["hysteresis_measured"]) == pytest.approx(4e-4 / 0.01, rel=0.05)
     assert float(table["hysteresis_simulated"]) == pytest.approx(0.0, abs=1e-9)
+
+
+def as_rig(simulated: dict[str, xr.Dataset], folder: Path) -> list[Path]:
+    """Write simulated tests as a rig with SAE J670e axes would, with noise of 0.002 deg and 0.01 mm: synthetic."""
+    random = np.random.default_rng(5)
+    columns = {"toe": ("Toe", "deg", 1), "camber": ("Camber", "deg", 1), "wheel_centre_x": ("WC X", "mm", 1),
+               "wheel_centre_y": ("WC Y", "mm", -1), "wheel_centre_z": ("WC Z", "mm", -1),
+               "contact_point_y": ("Contact Patch Y", "mm", -1), "vertical_force": ("Fz", "N", -1),
+               "lateral_force": ("Fy", "N", -1)}  # fmt: skip
+    scale = {"deg": (np.degrees(1.0), 0.002), "mm": (1e3, 0.01), "N": (1.0, 1.0)}
+    files = []
+    for test, data in simulated.items():
+        table = {}
+        for quantity, (heading, unit, sign) in columns.items():
+            for wheel in ("left", "right"):
+                factor, noise = scale[unit]
+                values = sign * factor * data[f"{wheel}.{quantity}"].values
+                table[f"{heading} {wheel} [{unit}]"] = values + random.normal(
+                    0.0, noise, values.size
+                )
+        lines = [
+            ",".join(table),
+            *(",".join(map(repr, map(float, row))) for row in zip(*table.values(), strict=True)),
+        ]
+        file = folder / f"{test}.csv"
+        file.write_text("\n".join(lines) + "\n")
+        files.append(file)
+    return files
+
+
+def test_a_simulated_axle_measured_on_a_virtual_rig_agrees_with_itself(tmp_path: Path) -> None:
+    """Also with the finding where a hardpoint of the model is wrong."""
+    rig = jn.load("formula-student-front")
+    tests = ("bounce", "roll", "lateral-in-phase", "lateral-opposed")
+    simulated = jn.kc_tests(rig, tests)
+    track = simulated["roll"].attrs["track"]
+    measured = jn.read_kc(as_rig(simulated, tmp_path), convention="j670e", track=track)
+    assert list(measured) == list(tests)
+    assert [str(item) for item in measured.findings if item.severity != "note"] == []
+    table = jn.compare_kc(simulated, measured)
+    wrong = table.where(table["verdict"] != "within", drop=True)
+    assert wrong["quantity"].values.tolist() == []
+    moved = rig.with_changes(
+        {"hardpoints.tie_rod_inner[2]": rig.hardpoints.tie_rod_inner[2] + 0.01}
+    )
+    table = jn.compare_kc(jn.kc_tests(moved, tests), measured).set_index(row=("test", "quantity"))
+    bounce = table.sel(row=("bounce", "left.toe"))
+    assert str(bounce["verdict"].values) == "outside"
+    assert 0.0 < abs(float(bounce["leaves_at"])) < 0.05
+    assert str(table.sel(row=("bounce", "left.camber"))["verdict"].values) == "within"

@@ -497,6 +497,12 @@ def test_two_columns_of_one_quantity_contradict_or_agree(rig: Any) -> None:
     assert "left.toe" in sheet["bounce"]
 
 
+def test_one_reversed_force_is_not_the_load_of_the_test(rig: Any) -> None:
+    file = rig.write_test("lateral-opposed", reverse("Fy R [N]"))
+    with pytest.raises(RecordingError, match="not loaded as in this test.*opposite forces"):
+        jn.read_kc(file, convention="iso")
+
+
 def test_missing_tests_are_named(rig: Any) -> None:
     sheet = jn.read_kc(
         [rig.write_test(test) for test in TESTS if test != "steer"], convention="iso"
