@@ -499,7 +499,7 @@ def test_two_columns_of_one_quantity_contradict_or_agree(rig: Any) -> None:
 
 def test_one_reversed_force_is_not_the_load_of_the_test(rig: Any) -> None:
     file = rig.write_test("lateral-opposed", reverse("Fy R [N]"))
-    with pytest.raises(RecordingError, match="not loaded as in this test.*opposite forces"):
+    with pytest.raises(RecordingError, match=r"not loaded as in this test.*opposite forces"):
         jn.read_kc(file, convention="iso")
 
 
