@@ -50,13 +50,21 @@ class Served:
     def __init__(self, folder: Path) -> None:
         began = time.perf_counter()
         command = [sys.executable, "-m", "jounce", "serve", str(folder), "--no-open", "--json"]
-        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        cache = {"JOUNCE_CACHE_DIR": str(folder / "cache")}  # records of earlier runs do not count
+        self.process = subprocess.Popen(
+            command, stdout=subprocess.PIPE, text=True, env=os.environ | cache
+        )
         assert self.process.stdout is not None
         said = json.loads(self.process.stdout.readline())
         self.address, self.token = said["url"], said["token"]
         self.base = self.address.partition("?")[0]
         self.ask("GET", "api/health")
         self.up = time.perf_counter() - began
+
+    def end(self) -> None:
+        """Stop the server."""
+        self.process.terminate()
+        self.process.wait(20)
 
     def ask(self, method: str, path: str, body: Any = None) -> Any:
         """Send a request like a script."""
@@ -74,7 +82,7 @@ def median(times: list[float]) -> str:
 
 
 LENGTHS = {"long.nc": 10_000_000, "longest.nc": 100_000_000}
-TEXT = 500_000  # rows of a text file
+TEXT = 1_000_000  # rows of a text file
 
 
 def long_record(file: Path, count: int) -> None:
@@ -103,6 +111,17 @@ def text_record(file: Path) -> float:
     np.savetxt(file, np.column_stack([time_, np.sin(time_), *noise]), fmt="%.6g", delimiter=",", comments="",
                header="time [s],sprung.az [m/s^2],unsprung.az [m/s^2],strut.deflection [mm]")  # fmt: skip
     return file.stat().st_size / 1e6
+
+
+def open_text(page: Any, served: Served) -> float:
+    """Return the time from a click in the open workbench to the curves of the text file, s."""
+    page.goto(served.address)
+    page.wait_for_selector("html[data-ready=project]")
+    page.wait_for_timeout(6000)
+    began = time.perf_counter()
+    page.evaluate("location.hash = '#/record?path=long.csv'")
+    page.wait_for_selector(".u-over", timeout=120_000)
+    return time.perf_counter() - began
 
 
 def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
@@ -187,14 +206,17 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
             )
             (folder / name).unlink()
         size = text_record(folder / "long.csv")
-        for what, target in (("opened", "50 MB/s"), ("opened again", "0.5 s")):
-            page.goto("about:blank")
-            began = time.perf_counter()
-            opened("record?path=long.csv", ".u-over")
-            spent = time.perf_counter() - began - 2.5
+        again = Served(folder)
+        for what, target, server in (
+            ("opened", "50 MB/s", served),
+            ("opened again", "0.5 s", served),
+            ("opened again by another server", "0.5 s", again),
+        ):
+            spent = open_text(page, server)
             rows.append(
                 (f"text of {size:.0f} MB {what}", target, f"{spent:.2f} s, {size / spent:.0f} MB/s")
             )
+        again.end()
         rows.append(
             (
                 "eight tabs and four jobs: the page answers in",
@@ -323,8 +345,7 @@ def main() -> None:
         try:
             rows = measured(served, Path(place))
         finally:
-            served.process.terminate()
-            served.process.wait(20)
+            served.end()
     lines = [
         "| action | target | measured |",
         "|---|---|---|",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import threading
 import tomllib
 from collections.abc import Callable
 from functools import lru_cache, partial
@@ -175,6 +176,9 @@ class SweepRequest(Changed):
     study: str = ""
 
 
+_SOON = 3.0  # s: the first page does not wait for the process that works for the page
+
+
 def create_app(
     folder: Path | str, *, token: str, port: int, ready: Callable[[], None] = lambda: None
 ) -> Guard:
@@ -189,7 +193,11 @@ def create_app(
     @asynccontextmanager
     async def close_at_end(_: FastAPI) -> Any:
         ready()
+        soon = threading.Timer(_SOON, jobs.prepare)
+        soon.daemon = True
+        soon.start()
         yield
+        soon.cancel()
         jobs.end()
         records.end()
 

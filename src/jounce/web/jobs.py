@@ -174,6 +174,8 @@ class Jobs:
     def prepare(self) -> None:
         """Start a process that forks workers for the page's requests, because starting a process is slow."""
         with self.lock:
+            if self.closing.is_set():
+                return
             if SPLITS and (self.ready is None or self.ready.poll() is not None):
                 self.ready = _waiting()
 

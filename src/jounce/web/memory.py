@@ -57,14 +57,16 @@ def give_memory_back() -> Callable[[], object]:
 
     def give() -> None:
         library.malloc_trim(0)
-        if ctypes.sizeof(ctypes.c_void_p) == 8:
-            _drop_program_pages(library)
+        drop_program_pages()
 
     return give
 
 
-def _drop_program_pages(library: Any) -> None:
+def drop_program_pages() -> None:
     """Drop the pages of code and constants; they were never written, since only writable segments are relocated."""
+    if sys.platform != "linux" or ctypes.sizeof(ctypes.c_void_p) != 8:
+        return
+    library = ctypes.CDLL(None)
     library.madvise.argtypes = (ctypes.c_void_p, ctypes.c_size_t, ctypes.c_int)
     spans: list[tuple[int, int]] = []
 

@@ -7,6 +7,7 @@ folder. The process stops when a file ``cancel`` appears, as a command does on C
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import signal
@@ -23,6 +24,7 @@ from typing import Any
 from jounce.core.locking import hold
 from jounce.core.phrases import german_of
 from jounce.core.serialise import to_json
+from jounce.web.memory import drop_program_pages
 
 JOB, PROGRESS, RESULT, PROBLEMS, END, ALIVE, CANCEL = (
     "job.json", "progress.json", "result.json", "problems.txt", "end.json", "alive", "cancel",
@@ -201,6 +203,9 @@ def split_when_told() -> None:
         *_USUAL,
     ):
         import_module(name)
+    gc.collect()
+    gc.freeze()  # a collection in a child would copy all pages
+    drop_program_pages()
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # their outcome is read only from their files
     sys.stdout.write("loaded\n")
     sys.stdout.flush()
