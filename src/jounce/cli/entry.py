@@ -89,6 +89,7 @@ def _panels() -> dict[str, dict[str, Any]]:
         },
         "Kinematics and design": {
             "kinematics": command_function("kinematics"),
+            "kc": command_function("kc"),
             "adjust": command_function("adjust"),
             "load-cases": command_function("load-cases"),
             "clearances": command_function("clearances"),

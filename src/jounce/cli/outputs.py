@@ -191,7 +191,8 @@ def _folder(answered: Answered, folder: Path, force: bool) -> Missing:
         return replace(whole, files=tuple(drawn.items()))
 
     with drawing() as missing:
-        write_page(page, folder, files=answered.result.files(), force=force)
+        pdf = getattr(answered.result, "with_pdf", False)
+        write_page(page, folder, files=answered.result.files(), force=force, pdf=pdf)
     return missing
 
 

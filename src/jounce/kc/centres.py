@@ -9,8 +9,8 @@ import numpy as np
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kc.axle import SIDES
-from jounce.kc.laboratory import Laboratory, corner_of, loop
+from jounce.kc.builder import SIDES
+from jounce.kc.laboratory import Laboratory, axle_of, loop
 from jounce.kc.quantities import down, moved, turned
 from jounce.kc.tests import TESTS, KCTest
 from jounce.parts import Corner, Rig
@@ -77,7 +77,7 @@ def kc_centres(
     >>> bool(abs(height[0] - height[1]) < 1e-9)                             # ideal joints
     True
     """
-    rig = corner_of(axle, on)
+    rig = axle_of(axle, on)
     rack = None if steer is None else to_si(steer, "m", where="steer")
     return centres_of(Laboratory(rig, to_si(travel, "m", where="travel"), rack))
 

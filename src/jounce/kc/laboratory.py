@@ -9,6 +9,7 @@ import numpy as np
 
 from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, SimulationError, unknown
+from jounce.core.findings import Finding, finding, finding_attributes
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import to_si
@@ -156,20 +157,20 @@ class Laboratory:
 
     def run(
         self, test: KCTest, inputs: Array, held: Held, handwheel: Handwheel, trail: float
-    ) -> tuple[Poses, list[str]]:
-        """Run a test; return its poses, and what must be said about them."""
+    ) -> tuple[Poses, list[Finding]]:
+        """Run a test; return its poses and findings."""
         path = self.path(test, inputs, held, handwheel, trail)
         settled, _ = self._follow(*path, self.state.start)
-        said = [f"{name} is left out" for name in self.axle.left_out]
+        findings = [finding("kc.left_out", name) for name in self.axle.left_out]
         reached = settled.outcome == eq.SETTLED
         if not reached.all():
             if reached.sum() < 2:
                 raise self._failure(f"the test {test.name}")
             last = inputs[reached][-1]
-            said.append(
-                f"no equilibrium beyond {last:g} {test.unit}: the load is more than the mechanism carries"
+            findings.append(
+                finding("kc.no_equilibrium_beyond", test.name, last, last=f"{last:.4g} {test.unit}")
             )
-        return Poses(self, settled, path), said
+        return Poses(self, settled, path), findings
 
     def _failure(self, what: str) -> SimulationError:
         """Return the error for a state without equilibrium; it names a motion that nothing holds."""
@@ -341,7 +342,7 @@ def run_test(
         )
     inputs = loop(end, points, one_sided=test.one_sided)
     behind = test.trail if trail is None else to_si(trail, "m", where="trail")
-    poses, said = laboratory.run(test, inputs, held, handwheel, behind)
+    poses, findings = laboratory.run(test, inputs, held, handwheel, behind)
     variables = quantities(poses)
     label = {"units": test.unit, "long_name": test.what, "positive": test.positive}
     import xarray as xr
@@ -353,7 +354,7 @@ def run_test(
         "held": held,
         "handwheel": handwheel,
         "track": laboratory.track,
-        "findings": "; ".join(said),
+        **finding_attributes(findings),
         "convention": "ISO 8855 axes: x forward, y left, z up; toe-in and top outward positive",
     }
     return dataset(variables, axes, attributes)

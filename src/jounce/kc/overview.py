@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.display import current_units
+from jounce.core.display import DisplayUnit, current_units
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.numbers import number
 from jounce.core.serialise import Plain
@@ -166,7 +166,7 @@ class OverviewRow(Plain):
         """Return left, right, axle and kinematic value."""
         return self.left, self.right, self.axle, self.kinematic
 
-    def usual(self) -> UsualUnit:
+    def usual(self) -> DisplayUnit:
         """Return the unit in which laboratories write it."""
         is_rack = TESTS[self.test].kind == "rack"
         return usual_unit(self.own_unit, self.input_unit, per_mm=is_rack or self.own_unit == "N")
@@ -284,14 +284,6 @@ def _known(value: float | None) -> float | str:
 # units ----------------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class UsualUnit:
-    """A unit with its name and its value of one SI unit."""
-
-    name: str
-    factor: float
-
-
 _DEG = 180.0 / math.pi
 _LBF, _INCH = 4.4482216152605, 0.0254
 _ABOVE = {
@@ -319,7 +311,7 @@ _BELOW = {
 }
 
 
-def usual_unit(own: str, over: str = "", *, per_mm: bool = False) -> UsualUnit:
+def usual_unit(own: str, over: str = "", *, per_mm: bool = False) -> DisplayUnit:
     """Return the unit in which laboratories write a quantity, or its slope over another.
 
     >>> usual_unit("rad", "N").name, usual_unit("N", "m", per_mm=True).name, usual_unit("rad", "m").name
@@ -328,14 +320,14 @@ def usual_unit(own: str, over: str = "", *, per_mm: bool = False) -> UsualUnit:
     system = current_units()
     name, factor = _ABOVE[system].get(own, (own, 1.0))
     if not over:
-        return UsualUnit(name, factor)
+        return DisplayUnit(name, factor)
     under, divisor = _BELOW[system].get(over, (over, 1.0))
     if per_mm and under == "m":
         under, divisor = "mm", 1e3
-    return UsualUnit(f"{name}/{under}", factor / divisor)
+    return DisplayUnit(f"{name}/{under}", factor / divisor)
 
 
-def usual_text(value: float | None, unit: UsualUnit) -> str:
+def usual_text(value: float | None, unit: DisplayUnit) -> str:
     """Write a value in its unit; rounding residues as zero, nothing for what the row does not have."""
     if value is None:
         return ""

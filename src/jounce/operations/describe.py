@@ -62,6 +62,7 @@ MODULES = (
     "jounce.inspection.archive.questions",
     "jounce.inspection.equivalence",
     "jounce.kinematics.swept",
+    "jounce.kc.sheet",
     "jounce.kinematics.axle_loads",
     "jounce.kinematics.clearance_study",
     "jounce.kinematics.steering_loads",

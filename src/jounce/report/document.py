@@ -49,7 +49,11 @@ def page_pdf(page: Page, figures: Mapping[str, Mapping[str, bytes]], template: b
         "note": page.figure_note,
         "foot": f"{page.title} · jounce {jounce.__version__}",
         "sections": [
-            {"title": section.title, "blocks": _blocks(section.blocks, figures)}
+            {
+                "title": section.title,
+                "own_page": section.own_page,
+                "blocks": _blocks(section.blocks, figures),
+            }
             for section in page.sections
         ],
     }

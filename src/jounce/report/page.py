@@ -222,11 +222,13 @@ class Subsection:
 class Section:
     """A heading with blocks, or with a function that creates them; listed in the table of contents.
 
-    A function is called only when a document is written; a terminal shows the other sections.
+    A function is called only when a document is written; a terminal shows the other sections. With ``own_page`` it
+    begins a page of paper.
     """
 
     title: str
     source: tuple[Block, ...] | Callable[[], tuple[Block, ...]]
+    own_page: bool = False
 
     @property
     def is_drawn(self) -> bool:

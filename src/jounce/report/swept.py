@@ -57,7 +57,12 @@ def swept_page(sweep: Swept, *, title: str) -> Page:
 
 
 def _mechanism(rig: Corner, title: str) -> tuple[Block, ...]:
-    """Return the drawing in front, side and top view and in perspective, and the table of hardpoints."""
+    """Return the drawing and the table of hardpoints."""
+    return mechanism_picture(rig, title), hardpoints_table(rig)
+
+
+def mechanism_picture(rig: Corner, title: str) -> Picture:
+    """Return the drawing in front, side and top view and in perspective."""
 
     def draw() -> Figure:
         from jounce.plots.mechanisms.drawing import mechanism
@@ -65,7 +70,7 @@ def _mechanism(rig: Corner, title: str) -> tuple[Block, ...]:
         return mechanism(rig)
 
     words = f"{title}: front, side and top view at design, and perspective."
-    return Picture(draw, "mechanism", words, words), hardpoints_table(rig)
+    return Picture(draw, "mechanism", words, words)
 
 
 def hardpoints_table(rig: Corner) -> PageTable:
