@@ -151,6 +151,7 @@ from .kc.overview import OverviewRow as OverviewRow
 from .kc.overview import kc_overview as kc_overview
 from .kc.sheet import KcTests as KcTests
 from .kc.sheet import kc_sheet as kc_sheet
+from .kc.sensitivities import kc_sensitivities as kc_sensitivities
 from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad

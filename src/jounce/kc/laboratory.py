@@ -68,22 +68,36 @@ class Laboratory:
         left, right = self.axle.assembly.wheels
         return float(left.centre[1, 0].real - right.centre[1, 0].real)
 
-    def _approach(self, travel: float, rack: float) -> State:
-        """Move pads and rack from the design position to where tests begin."""
-        steps = 1 + int(np.ceil(max(abs(travel), abs(rack)) / _APPROACH))
+    def approach(self, travel: Array, rack: float) -> eq.Path:
+        """Return the path of pads and rack from the design position to where tests begin."""
+        steps = 1 + int(np.ceil(max(float(np.abs(travel).max()), abs(rack)) / _APPROACH))
         share = np.linspace(0.0, 1.0, steps) if steps > 1 else np.ones(1)
         targets = np.zeros((steps, len(self.controls)))
         for k, name in enumerate(self.controls):
             if name == "rack":
                 targets[:, k] = share * rack
             else:
-                targets[:, k] = self.design[self._wheel(name)] + share * travel
-        settled, space = self._follow(
-            *self._prescribed(steps), targets, self._no_loads(steps), None
-        )
+                wheel = self._wheel(name)
+                targets[:, k] = self.design[wheel] + share * travel[wheel]
+        return eq.Path(*self._prescribed(steps), targets, self._no_loads(steps))
+
+    def at_design(self) -> tuple[Array, Array, Array]:
+        """Return pose, multipliers and slipped deflections at design: friction along a line carries nothing there."""
+        pose = np.zeros((self.bodies, 12))
+        pose[:, 3] = pose[:, 7] = pose[:, 11] = 1.0
+        slipped = np.zeros((len(self.arrays.kinds), 6))
+        reach = self.arrays.data[:, eq.Q : eq.Q + 3] - self.arrays.data[:, eq.P : eq.P + 3]
+        lines = self.arrays.kinds[:, 0] == eq.LINE
+        slipped[lines, 0] = np.sqrt((reach[lines] ** 2).sum(axis=1))
+        return pose, np.zeros(self.multipliers + len(self.controls)), slipped
+
+    def _approach(self, travel: float, rack: float) -> State:
+        """Move pads and rack from the design position to where tests begin."""
+        path = self.approach(np.full(len(SIDES), travel), rack)
+        settled, space = self._follow(*path, self.at_design())
         if settled.outcome[-1] != eq.SETTLED:
             raise self._failure("the body at ride height")
-        values = targets[-1]
+        values = path.targets[-1]
         n = self.bodies
         start = (space.pose[n : 2 * n].copy(), space.multipliers[1].copy(), space.slipped.copy())
         heights = np.array([values[self.controls.index(f"{side}.contact")] for side in SIDES])
