@@ -39,12 +39,14 @@ class AxleBuilder(ABC):
         self.left_out: list[str] = []
         self.side = "left"
         self.steered = False
+        self.read: dict[str, None] = {}  # paths of all numbers that the axle is built from
         self._build()
 
     # numbers ---------------------------------------------------------------------------------------------------------
 
     def number(self, path: str) -> Numbers:
         """Return a parameter, shape (m,)."""
+        self.read[path] = None
         out = np.full(self.assembly.columns, complex(self.values[path]))
         if path in self.column:
             out[self.column[path]] += 1j * STEP

@@ -10,12 +10,13 @@ import numpy as np
 from jounce.core.errors import DescriptionError, unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kc.laboratory import Handwheel, Held, Laboratory, corner_of, loop
+from jounce.kc.dependent import build_axle
+from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of, loop
 from jounce.kc.quantities import Poses, quantities
 from jounce.kc.slopes import slope_unit
-from jounce.kc.tangents import DIRECTIONS, SETTLED, ReadAxle, Tangents
+from jounce.kc.tangents import DIRECTIONS, SETTLED, Tangents
 from jounce.kc.tests import TESTS, KCTest
-from jounce.parts import Corner, Rig
+from jounce.parts import Rig
 from jounce.parts.rig import unit_of
 
 if TYPE_CHECKING:
@@ -24,16 +25,16 @@ if TYPE_CHECKING:
 _STATED = ("wheel.radius",)  # measured with a tape, not adjusted
 
 
-def kc_parameters(rig: Corner) -> tuple[str, ...]:
+def kc_parameters(rig: Rig) -> tuple[str, ...]:
     """Return the paths of all numbers that equilibria of an axle depend on: hardpoints, stiffnesses, preloads."""
-    read = ReadAxle(rig).read
+    read = build_axle(rig).read
     listed = [path for path in read if path not in _STATED]
-    axle = ReadAxle(rig, listed)
+    axle = build_axle(rig, listed)
     moves = {int(column) for column in axle.assembly.seeds().places[:, 1]}
     return tuple(path for i, path in enumerate(listed) if i in moves)
 
 
-def check_parameters(rig: Corner, parameters: Sequence[str] | None) -> tuple[str, ...]:
+def check_parameters(rig: Rig, parameters: Sequence[str] | None) -> tuple[str, ...]:
     """Return the paths by which slopes are asked for, or all; refuse what the axle does not depend on."""
     known = kc_parameters(rig)
     if parameters is None:
@@ -80,7 +81,8 @@ def kc_sensitivities(  # noqa: PLR0913 - options of a test
         Paths of numbers of the description; a whole point or bushing, such as ``"hardpoints.tie_rod_inner"``, stands
         for all its numbers. By default all hardpoints, stiffnesses and preloads that the axle is built from.
     quantities : sequence of str, optional
-        Names such as ``"left.toe"``; by default all of the tests except the loads of bushings.
+        Names such as ``"left.toe"``; by default all of the tests except loads of
+        bushings. Angle and torque of the handwheel have no slopes.
     to, points, travel, steer, held, handwheel, trail, on
         As in `kc_test`: end of the range (SI or with unit), number of samples, height of the pads and rack travel
         before the test (m), what is held, trail (m) and the axle of a car.
@@ -110,7 +112,7 @@ def kc_sensitivities(  # noqa: PLR0913 - options of a test
     """
     import xarray as xr
 
-    rig = corner_of(axle, on)
+    rig = axle_of(axle, on)
     names = (tests,) if isinstance(tests, str) else tests
     for name in names or ():
         if name not in TESTS:

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from jounce.core.types import Array
 from jounce.kc.assembly import GROUND, STEP, Element, Numbers
-from jounce.kc.axle import SIDES, BuiltAxle
+from jounce.kc.builder import SIDES
+from jounce.kc.dependent import build_axle
 from jounce.kc.laboratory import Handwheel, Held, Laboratory
 from jounce.kc.quantities import caster_of, wheel_quantities
 from jounce.kc.tests import KCTest
@@ -24,19 +25,6 @@ from jounce.kernel import equilibrium as eq
 _FORCE_ROW = 1e-6  # m/N: weight of a height in a row of forces; the kernel weighs heights in N/m by its inverse
 _SMALL = 1e-4  # rad: rotation below which a series is exact
 DIRECTIONS = ("force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z")
-
-
-class ReadAxle(BuiltAxle):
-    """An axle that remembers which parameters it was built from, in ``read``."""
-
-    def __init__(self, rig: object, varied: Sequence[str] = ()) -> None:
-        self.read: dict[str, None] = {}
-        super().__init__(rig, varied)  # type: ignore[arg-type]
-
-    def number(self, path: str) -> Numbers:
-        """Return a parameter, shape (m,), and note that it was read."""
-        self.read[path] = None
-        return super().number(path)
 
 
 @dataclass(frozen=True)
@@ -108,7 +96,7 @@ class Tangents:
 
     def __init__(self, laboratory: Laboratory, parameters: Sequence[str]) -> None:
         self.laboratory, self.count = laboratory, len(parameters)
-        self.axle = BuiltAxle(laboratory.rig, parameters)
+        self.axle = build_axle(laboratory.rig, parameters)
         assembly, controls = self.axle.assembly, len(laboratory.controls)
         self.frictions = [
             (i, k)

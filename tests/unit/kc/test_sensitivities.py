@@ -75,6 +75,13 @@ def test_options_of_a_test_count(test: str, options: dict) -> None:
 @pytest.mark.parametrize(
     ("name", "test", "parameters"),
     [
+        (
+            "solid-axle",
+            "lateral-in-phase",
+            ("hardpoints.wheel_centre[2]", "hardpoints.strut_top[1]"),
+        ),
+        ("twist-beam", "roll", ("hardpoints.wheel_centre[0]", "beam.torsional_stiffness")),
+        ("mcpherson-elastic", "roll", ("anti_roll_bar.stiffness", "hardpoints.arb_arm_end[0]")),
         ("generic-mcpherson", "lateral-opposed", ("hardpoints.strut_top[1]", "strut.spring.rate")),
         ("sedan-multi-link", "roll", ("hardpoints.link_3_outer[2]", "hardpoints.wheel_centre[1]")),
         ("semi-trailing-arm", "bounce", ("hardpoints.arm_inner[0]", "strut.spring.rate")),
