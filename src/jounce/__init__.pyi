@@ -149,9 +149,9 @@ from .kc.measured import read_kc as read_kc
 from .kc.overview import KcOverview as KcOverview
 from .kc.overview import OverviewRow as OverviewRow
 from .kc.overview import kc_overview as kc_overview
+from .kc.sensitivities import kc_sensitivities as kc_sensitivities
 from .kc.sheet import KcTests as KcTests
 from .kc.sheet import kc_sheet as kc_sheet
-from .kc.sensitivities import kc_sensitivities as kc_sensitivities
 from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad
