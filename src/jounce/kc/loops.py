@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,20 +39,29 @@ def branches_of(sweep: Array) -> tuple[Branch, ...]:
     >>> [(b.samples.start, b.samples.stop, b.direction) for b in branches_of(np.array([0.0, 1.0, 0.0, -1.0, 0.0]))]
     [(0, 2, 1), (1, 4, -1), (3, 5, 1)]
     """
+    return _branches(np.ascontiguousarray(sweep, dtype=float).tobytes())
+
+
+@lru_cache(maxsize=16)
+def _branches(samples: bytes) -> tuple[Branch, ...]:
+    """Split an input; a sheet asks for the branches of one input for each of its quantities."""
+    sweep = np.frombuffer(samples)
     if sweep.size < 2 or np.ptp(sweep) == 0.0:
         return ()
     band = _TURN * float(np.ptp(sweep))
-    turns, extreme, direction = [0], 0, 0
-    for i, value in enumerate(sweep.tolist()):
+    values = sweep.tolist()
+    first = extreme = values[0]
+    turns, at, direction = [0], 0, 0
+    for i, value in enumerate(values):
         if direction == 0:
-            if abs(value - sweep[0]) > band:
-                direction, extreme = (1 if value > sweep[0] else -1), i
-        elif direction * (value - sweep[extreme]) >= 0.0:
-            extreme = i
-        elif direction * (sweep[extreme] - value) > band:
-            turns.append(extreme)
-            direction, extreme = -direction, i
-    turns.append(extreme if sweep.size - 1 == extreme else sweep.size - 1)
+            if abs(value - first) > band:
+                direction, at, extreme = (1 if value > first else -1), i, value
+        elif direction * (value - extreme) >= 0.0:
+            at, extreme = i, value
+        elif direction * (extreme - value) > band:
+            turns.append(at)
+            direction, at, extreme = -direction, i, value
+    turns.append(sweep.size - 1)
     return tuple(
         Branch(slice(a, b + 1), 1 if sweep[b] > sweep[a] else -1)
         for a, b in itertools.pairwise(turns)
@@ -131,9 +141,12 @@ def _at(x: Array, y: Array, inputs: Array) -> Array:
     order = np.argsort(x, kind="stable")
     x, y = x[order], y[order]
     if x.size > 4 * _BINS:
-        groups = np.array_split(np.arange(x.size), _BINS)
-        ends = np.array([0]), *groups, np.array([x.size - 1])
-        x, y = (np.array([values[group].mean() for group in ends]) for values in (x, y))
+        starts = np.arange(_BINS) * x.size // _BINS
+        counts = np.diff(np.append(starts, x.size))
+        x, y = (
+            np.concatenate([part[:1], np.add.reduceat(part, starts) / counts, part[-1:]])
+            for part in (x, y)
+        )
     reach = 1e-9 * float(np.ptp(x))
     inside = (inputs >= x[0] - reach) & (inputs <= x[-1] + reach)
     return np.where(inside, np.interp(inputs, x, y), np.nan)

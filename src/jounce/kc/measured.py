@@ -22,13 +22,14 @@ from jounce.kc.rig_tests import named_test, recognised_test, swept_input
 from jounce.kc.sections import Section, read_sections
 from jounce.kc.sheet_checks import check_sheet, check_test
 from jounce.kc.tests import TESTS
-from jounce.kc.vocabulary import QUANTITIES, ZEROED, quantity_name
+from jounce.kc.vocabulary import QUANTITIES, ZEROED, KcQuantity, quantity_name
 
 if TYPE_CHECKING:
     import xarray as xr
 
-_DRIFT, _OPEN, _NEAR = 0.01, 0.05, 0.02
-"""Least drift over a test, and gap of a loop, as shares of a range; share of the input's range that is zero."""
+_DRIFT, _OPEN, _NEAR, _CLEAR = 0.01, 0.05, 0.02, 10.0
+"""Least drift over a test, and gap of a loop, as shares of a range; share of the input's range that is zero; range
+of a mean line, in standard deviations of the noise, from which its loop is judged."""
 
 
 class KcSheet(dict[str, "xr.Dataset"]):
@@ -234,14 +235,18 @@ def _dataset(
     for name in sorted(values, key=_order):
         lines, spread = lines_of(sweep, values[name], inputs), noise_of(values[name])
         quantity = QUANTITIES[quantity_name(name)]
-        openings[name] = lines.opening / max(_span(values[name]), 1e-300)
+        reach = _span(lines.mean)
+        if reach > _CLEAR * spread:
+            openings[name] = lines.opening / max(reach, 1e-300)
         about: dict[str, Any] = {"units": quantity.unit, "long_name": quantity.label}
         about |= {"positive": quantity.positive} if quantity.positive else {}
         about |= {"noise": spread, "hysteresis": lines.opening}
         about |= {"zero": zeros[name]} if name in zeros else {}
         about |= {"drift": drifts[name]} if name in drifts else {}
         variables[name] = ("sample", values[name], about)
-    label = {"units": unit, "long_name": TESTS[test].what, "positive": TESTS[test].positive}
+    swept = QUANTITIES[made_of] if made_of == "handwheel_angle" else TESTS[test]
+    label = {"units": unit, "positive": swept.positive}
+    label["long_name"] = swept.label if isinstance(swept, KcQuantity) else swept.what
     coordinates = {
         "input": ("sample", sweep, label),
         "direction": ("sample", directions_of(sweep), {"units": "1", "long_name": "direction"}),

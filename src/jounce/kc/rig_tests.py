@@ -164,7 +164,7 @@ def swept_input(
             allowed="equal forces" if opposed > 0.0 else "opposite forces",
             hint="Is it another test, or is the sign of one side wrong?",
         )
-    return sign * together, TESTS[test].unit, quantity
+    return 0.0 + sign * together, TESTS[test].unit, quantity
 
 
 def _of_travel(

@@ -15,6 +15,7 @@ from jounce.recordings.reader import ReaderOptions
 from jounce.recordings.readers import read_signals, reader_of
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|[.,]\d+|\d+,\d+)(?:[eE][+-]?\d+)?")
+_NUMBERS_ONLY = re.compile(r"[-+.,;\s\deE]*")
 _LARGEST_WORKBOOK = 300_000_000  # bytes when unpacked
 
 
@@ -160,6 +161,8 @@ def _blocks(lines: list[str]) -> list[_Block]:
 
 def _is_row(line: str) -> bool:
     """Whether a line begins with a number, and at least half of its cells are numbers."""
+    if _NUMBERS_ONLY.fullmatch(line):
+        return any(map(str.isdigit, line))
     cells = [cell for cell in re.split(r"[;\t\s]+|,(?!\d)|(?<!\d),", line.strip()) if cell]
     numbers = [all(_NUMBER.fullmatch(part) for part in cell.split(",") if part) for cell in cells]
     return bool(cells) and numbers[0] and 2 * sum(numbers) >= len(cells)

@@ -22,6 +22,8 @@ _LARGEST = {"rad": 1.2, "m": 1.0, "N": 60e3, "N*m": 20e3}
 """Largest plausible readings of a suspension, SI; handwheel angles turn further."""
 _OTHER = {"rad": ("deg", "rad"), "m": ("mm", "m"), "N": ("N", "kN"), "N*m": ("N*mm", "N*m")}
 """Unit that a far too large reading probably has, and the unit that it was given."""
+_TURNED, _TURNED_BY_LOAD = {"rack": 1.6, "heights": 0.25, "roll": 0.25}, 0.06
+"""Largest plausible change of toe and camber, rad, by the kind of a test, and in tests with horizontal loads."""
 _LEAST_LOAD, _LEAST_INPUT = 50.0, {"m": 1e-3, "rad": 2e-4, "N": 20.0, "N*m": 0.5}
 """Least mean wheel load in N, and least range of an input, SI, that are plausible."""
 _CLEAR = {"rad": 2e-4, "m": 2e-4, "N": 20.0, "N*m": 1.0}
@@ -45,7 +47,8 @@ def check_test(
     values = {str(name): np.asarray(dataset[name].values) for name in dataset.data_vars}
     sweep = np.asarray(dataset["input"].values)
     labels = {name: channels[name].label if name in channels else name for name in values}
-    findings = [*_sizes(values, sweep, str(dataset["input"].attrs["units"]), labels, place)]
+    unit = str(dataset["input"].attrs["units"])
+    findings = [*_sizes(test, values, sweep, unit, labels, place)]
     if any(item.severity == "problem" for item in findings):
         return findings  # signs of readings in a wrong unit mean nothing
     findings += _doubled(values, labels, place)
@@ -59,7 +62,12 @@ def check_test(
 
 
 def _sizes(
-    values: Mapping[str, Array], sweep: Array, unit: str, labels: Mapping[str, str], place: str
+    test: str,
+    values: Mapping[str, Array],
+    sweep: Array,
+    unit: str,
+    labels: Mapping[str, str],
+    place: str,
 ) -> Iterator[Finding]:
     for name, array in values.items():
         quantity = quantity_name(name)
@@ -70,6 +78,11 @@ def _sizes(
             likely, written = _OTHER[si]
             numbers = {"column": labels[name], "largest": largest, "unit": si}
             yield finding("kc.too_large", place, largest, **numbers, likely=likely, written=written)
+        elif quantity in ("toe", "camber") and largest > 0.0:
+            turned = float(np.ptp(finite))
+            if turned > _TURNED.get(TESTS[test].kind, _TURNED_BY_LOAD):
+                numbers = {"column": labels[name], "reach": turned, "test": test}
+                yield finding("kc.turns_too_far", place, turned, **numbers)
         elif quantity == "vertical_force" and 0.0 < abs(float(np.mean(finite))) < _LEAST_LOAD:
             load = float(np.mean(finite))
             yield finding("kc.load_too_small", place, load, column=labels[name], load=load)
@@ -89,10 +102,12 @@ def _doubled(
     for name, other in itertools.combinations(names, 2):
         quantities = {quantity_name(name), quantity_name(other)}
         is_one_column = labels[name] == labels[other] or quantities == {"toe", "steer"}
-        smooth = noise_of(values[name]) < 1e-6 * float(np.nanmax(np.abs(values[name])))
-        if is_one_column or values[name].size < _FEWEST or (len(quantities) == 1 and smooth):
+        if is_one_column or values[name].size < _FEWEST:
             continue
-        if np.array_equal(values[name], values[other], equal_nan=True):
+        if not np.array_equal(values[name], values[other], equal_nan=True):
+            continue
+        smooth = noise_of(values[name]) < 1e-6 * float(np.nanmax(np.abs(values[name])))
+        if len(quantities) > 1 or not smooth:
             yield finding("kc.doubled", place, columns=[labels[name], labels[other]])
 
 

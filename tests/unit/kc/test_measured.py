@@ -432,6 +432,8 @@ def double(sheet: dict[str, np.ndarray]) -> None:
         ("bounce", scale(1e3, "Contact Patch Z"), "kc.too_large"),
         ("bounce", scale(1e-3, "Contact Patch Z"), "kc.input_too_small"),
         ("steer", scale(180.0 / np.pi, "Toe"), "kc.too_large"),
+        ("bounce", scale(180.0 / np.pi, "Camber"), "kc.too_large"),
+        ("lateral-opposed", scale(180.0 / np.pi, "Camber"), "kc.turns_too_far"),
         ("steer", scale(6.0, "Rack"), "kc.handwheel_as_rack"),
         ("bounce", double, "kc.doubled"),
     ],
