@@ -148,6 +148,9 @@ def common_axis(runs: Mapping[str, xr.Dataset]) -> str:
     return next(iter(axis_of.values()))
 
 
+_NAMED = 3  # channels of each run in a message
+
+
 def common_channels(runs: Mapping[str, xr.Dataset], channels: Sequence[str] | None) -> list[str]:
     """Return the channels to draw, which all runs must have."""
     axis = common_axis(runs)
@@ -170,8 +173,12 @@ def common_channels(runs: Mapping[str, xr.Dataset], channels: Sequence[str] | No
     if not present:
         raise RecordingError(
             "no channel is common to all runs",
-            where="compare",
-            found="; ".join(map(", ".join, held)),
+            where=", ".join(runs),
+            found="; ".join(
+                f"{label}: {', '.join(own[:_NAMED])}{' …' if len(own) > _NAMED else ''}"
+                for label, own in zip(runs, held, strict=True)
+            ),
+            hint="Compare models of one kind, such as two quarter cars.",
         )
     varying = [name for name in present if any(_varies(data[name]) for data in runs.values())]
     return (

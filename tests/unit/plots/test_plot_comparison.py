@@ -114,3 +114,22 @@ def test_a_channel_without_values_has_no_extremes() -> None:
         row = recordings_page(runs).sections[0].blocks[0].rows[0]
         assert set(row[-4:]) == {"–"}
     assert len(recordings_page({"a": data}).sections[0].blocks[0].header) == len(row) - 3
+
+
+def test_runs_without_a_common_channel_are_named_with_a_few_of_theirs() -> None:
+    from jounce.plots.comparison import common_channels
+
+    t = np.arange(0.0, 1.0, 0.1)
+    runs = {
+        name: jn.recording(t, {f"{place}.az": (t, "m/s^2", "") for place in places})
+        for name, places in (
+            ("quarter.toml", ("sprung", "unsprung")),
+            ("half.toml", ("front", "rear", "body", "seat")),
+        )
+    }
+    with pytest.raises(RecordingError) as refused:
+        common_channels(runs, None)
+    text = str(refused.value)
+    assert text.startswith("quarter.toml, half.toml: no channel is common to all runs")
+    assert "half.toml: front.az, rear.az, body.az …" in text
+    assert "seat" not in text
