@@ -30,8 +30,15 @@ def test_each_shipped_rig_has_a_picture_that_fills_its_frame(name: str) -> None:
     assert len(text) < 20_000
 
 
-def test_a_vehicle_of_corners_shows_its_front_corner_and_a_half_car_two_axles() -> None:
+def test_quarter_half_and_full_car_differ_by_their_wheels() -> None:
+    names = ("kart-quarter-car", "audi-a6-half-car", "audi-a6-full-car")
+    quarter, half, full = (sketch(jn.load(name)).count("<path") for name in names)
+    assert half == 2 * (quarter - 2) + 2
+    assert full == 2 * half - 1 + 4  # the far side has no road of its own; four edges join both
+
+
+def test_a_vehicle_of_corners_shows_both_wheels_of_its_front_axle() -> None:
     car = jn.load("formula-student-car")
-    assert sketch(car) == sketch(car.front.corner)
-    quarter, half = (sketch(jn.load(name)) for name in ("kart-quarter-car", "audi-a6-half-car"))
-    assert half.count("<path") == 2 * (quarter.count("<path") - 2) + 2
+    corner = sketch(car.front.corner)
+    assert sketch(car).count("<path") == 2 * corner.count("<path")
+    assert np.ptp(_places(sketch(car)), axis=0)[0] > 140.0

@@ -9,7 +9,7 @@ import numpy as np
 from jounce.core.types import Array
 from jounce.parts.corners import Corner
 from jounce.parts.rig import Rig
-from jounce.parts.vehicles import FullCar3D, Vehicle
+from jounce.parts.vehicles import FullCar, FullCar3D, Vehicle
 from jounce.plots.figures import PALETTE
 from jounce.plots.mechanisms.drawing import RUBBER, circle, coil, views_of
 from jounce.plots.mechanisms.scene import Scene, scene_of
@@ -22,8 +22,9 @@ _INK = "#22262b"
 def sketch(rig: Rig | Vehicle) -> str:
     """Draw a rig or vehicle without words, as the text of an SVG picture of 160 by 110 px.
 
-    A corner with hardpoints, or the front left one of a vehicle of such corners, is drawn from ahead, inboard and
-    above at design. Every other model is drawn as masses on springs, seen from the side: one or two axles.
+    A corner with hardpoints is drawn from ahead, inboard and above at design; of a vehicle of such corners, the whole
+    front axle is. Every other model is drawn as masses on springs: one axle, two seen from the side, or the four
+    wheels of a full car, those of the far side behind.
 
     Parameters
     ----------
@@ -41,34 +42,43 @@ def sketch(rig: Rig | Vehicle) -> str:
     >>> sketch(jn.load("kart-double-wishbone"))[:28]
     '<svg xmlns="http://www.w3.or'
     """
-    corner = rig.front.corner if isinstance(rig, FullCar3D) else rig
-    lines = (
-        _mechanism(scene_of(corner))
-        if isinstance(corner, Corner)
-        else _lumped(2 if isinstance(rig, Vehicle) else 1)
-    )
-    return _picture(lines)
+    if isinstance(rig, FullCar3D):
+        scene = scene_of(rig.front.corner)
+        return _picture([*_mechanism(scene, mirrored=True), *_mechanism(scene)])
+    if isinstance(rig, Corner):
+        return _picture(_mechanism(scene_of(rig)))
+    if isinstance(rig, FullCar):
+        return _picture(_four_wheels())
+    return _picture(_lumped(2 if isinstance(rig, Vehicle) else 1))
 
 
 _Line = tuple[Array, str, float]  # points on paper, shape (n, 2), y up; colour; width in px
 
 
-def _mechanism(scene: Scene) -> Iterable[_Line]:
-    view, pose = views_of(scene)[3], scene.design
+def _mechanism(scene: Scene, *, mirrored: bool = False) -> Iterable[_Line]:
+    """Draw a left corner, or its mirror image at the right."""
+    side = np.array([1.0, -1.0 if mirrored else 1.0, 1.0])
+    for points, colour, width in _parts(scene):
+        yield views_of(scene)[3].flat(points * side), colour, width
+
+
+def _parts(scene: Scene) -> Iterable[_Line]:
+    """Return the lines of a corner in space, each with its colour and width."""
+    pose = scene.design
     for share in (-0.5, 0.5):
         middle = pose.points["wheel_centre"] + share * scene.width * pose.spin_axis
-        yield view.flat(circle(middle, pose.spin_axis, scene.radius)), RUBBER, 1.2
+        yield circle(middle, pose.spin_axis, scene.radius), RUBBER, 1.2
     for part in scene.parts:
         if all(name in pose.points for name in part.points):
             points = np.array([pose.points[name] for name in (*part.points, part.points[0])])
             closed = points if part.plate else points[:-1]
-            yield view.flat(closed), part.colour, 2.6
+            yield closed, part.colour, 2.6
     if scene.spring is not None:
         bottom, top = (pose.points[name] for name in scene.spring)
-        yield view.flat(coil(bottom, top, scene.coil_radius)), scene.strut_colour, 1.2
+        yield coil(bottom, top, scene.coil_radius), scene.strut_colour, 1.2
     if scene.damper is not None:
         yield (
-            view.flat(np.array([pose.points[name] for name in scene.damper])),
+            np.array([pose.points[name] for name in scene.damper]),
             scene.strut_colour,
             2.2,
         )
@@ -91,6 +101,20 @@ def _lumped(axles: int) -> Iterable[_Line]:
         yield np.array([[place, 0.4], [place, 0.75]]), _INK, 1.8
         yield np.array([[place - 0.25, 0.75], [place + 0.35, 0.75]]), _INK, 1.8
     yield np.array([[-reach - 0.3, 0.0], [reach + 0.3, 0.0]]), RUBBER, 1.4
+
+
+_BEHIND = np.array([0.62, 0.5])  # where the far side of a car is on paper
+_FAR = 0.6  # of the width of a line: what is further away
+
+
+def _four_wheels() -> Iterable[_Line]:
+    """Draw a body on four springs: the near side, the far side behind it, and the edges between both."""
+    near = list(_lumped(2))
+    for points, colour, width in near[:-1]:  # without a road of its own
+        yield points + _BEHIND, colour, _FAR * width
+    for corner in near[0][0][:4]:
+        yield np.array([corner, corner + _BEHIND]), _INK, _FAR * near[0][2]
+    yield from near
 
 
 def _picture(lines: Iterable[_Line]) -> str:
