@@ -347,6 +347,20 @@ def test_time_passed_and_time_left() -> None:
     assert line.text().startswith("compiling · 18 s")
 
 
+def test_stages_count_by_their_part_of_the_whole() -> None:
+    line = Elapsed(lambda: 0.0, ["bench", "update*3", "compare*2", "writing|write"])
+    shares = []
+    for text in (
+        "bench: spring",
+        progress_through("update: {which} of {count}", 2, 3),
+        progress_through("compare trial {which} of {count}", 2, 2),
+        "write the report",
+    ):
+        line.say(text)
+        shares.append(line.share())
+    assert shares == pytest.approx([0.0, 2.0 / 7.0, 5.0 / 7.0, 6.0 / 7.0])
+
+
 def test_progress_through_several_stages_never_goes_back_and_promises_no_time() -> None:
     now = [0.0]
     line = Elapsed(lambda: now[0], ["bench", "update", "compare", "writing|write|draw"])

@@ -182,14 +182,17 @@ class Elapsed:
     clock : callable
         Returns the time in s.
     stages : sequence of str
-        How the texts of each stage begin, with ``|`` between those of one stage. With several stages, or when a
+        How the texts of each stage begin, with ``|`` between those of one stage, and with its part of the whole
+        after a ``*`` if that is not one, such as ``update*3``. With several stages, or when a
         second phase turns up without them, the remaining time is unknown; the share never decreases.
     """
 
     def __init__(
         self, clock: Callable[[], float] = time.monotonic, stages: Sequence[str] = ()
     ) -> None:
-        self.clock, self.stages = clock, [tuple(one.split("|")) for one in stages]
+        named = [stage.partition("*") for stage in stages]
+        self.clock, self.stages = clock, [tuple(names.split("|")) for names, _, _ in named]
+        self.parts = [float(part or 1.0) for _, _, part in named]
         self._stage, self._within, self._shared, self._is_known = -1, 0.0, "", True
         self.started = clock()
         self.said, self.waits = "starting", ""
@@ -216,9 +219,12 @@ class Elapsed:
         return share
 
     def share(self) -> float | None:
-        """Completed share of the whole work, 0 to 1, each stage counted alike; None if unknown."""
+        """Completed share of the whole work, 0 to 1; None if unknown."""
         if self.stages:
-            return (self._stage + self._within) / len(self.stages) if self._stage >= 0 else None
+            if self._stage < 0:
+                return None
+            done = sum(self.parts[: self._stage]) + self._within * self.parts[self._stage]
+            return done / sum(self.parts)
         return self._own_share() if self._is_known else None
 
     def stage(self) -> tuple[int, int] | None:

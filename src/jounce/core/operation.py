@@ -336,8 +336,8 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
         page; ``terminal``: the same for a terminal, if that shows less. ``figure``: ``module:function`` that draws the
         result, if it is not the figure of its type. ``title``, ``comment``: heading of the page and first line of a rig
         file, with options and ``result`` in braces. ``doing``: text shown while it runs. ``stages``: how its
-        progress texts begin, stage by stage, with ``|`` between those of one stage, if there are several stages.
-        ``example``: a command line.
+        progress texts begin, stage by stage, if there are several, with ``|`` between those of one stage and its part
+        of the whole after a ``*``, if that is not one. ``example``: a command line.
         ``note``: help of the command below its first line.
 
     Notes

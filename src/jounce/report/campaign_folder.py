@@ -76,8 +76,8 @@ class ReportedCampaign(Shown):
         return {**self.result.to_dict(), "is_complete": self.is_met, "out": str(self.out), **drawn}
 
 
-STAGES = ("bench", "update", "compare", "writing|write|draw")
-"""How the progress of a reported campaign begins in each stage."""
+STAGES = ("bench", "update*3", "compare*3", "writing|write|draw")
+"""How the progress of a reported campaign begins in each stage, and its usual part of the time."""
 
 
 @operation(
