@@ -118,9 +118,11 @@ export const fromField = (text: string): string =>
 
 /** A text with the decimal mark of the page in its numbers, such as "22.8 N/mm, 301 rows". */
 export const withComma = (text: string): string =>
-  isGerman ? text.replace(/(?<![\w.])(\d+)\.(\d+)(?![\w.])/g, "$1,$2") : text;
+  isGerman ? text.replace(/(?<![\w.])(\d+)\.(\d+)(?=(?:e[-−]?\d+)?(?![\w.]))/g, "$1,$2") : text;
 
 const SAID: Record<string, string> = {};
+
+const LONGEST = 1200; // characters of a text that is looked up by its template
 
 let patterns: [RegExp, string][] | null = null;
 
@@ -133,7 +135,7 @@ export function translate(texts: Record<string, string>): void {
 /** German of a known text, also by its template; names and numbers stay. */
 function german(text: string): string | undefined {
   if (Object.hasOwn(SAID, text)) return SAID[text];
-  if (text.length > 400) return undefined;
+  if (text.length > LONGEST) return undefined;
   patterns ??= Object.entries(SAID)
     .filter(([words]) => words.includes("#") && words.replaceAll("#", "").trim().length > 4)
     .sort(([one], [other]) => other.length - one.length) // the one that says most first

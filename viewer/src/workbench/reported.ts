@@ -2,7 +2,7 @@
 
 import { type Model, Store } from "../data";
 import { make } from "../page";
-import { heard, isGerman, tr } from "../words";
+import { heard, isGerman, tr, withComma } from "../words";
 import * as api from "./api";
 import { savable } from "./curves";
 import { problem } from "./parts";
@@ -28,6 +28,19 @@ const SIZES = /^(flex-basis|max-width): \d+px$/;
 
 /** Letters and digits of a sentence, by which it is found again however it is printed. */
 const bare = (text: string): string => text.normalize("NFKC").replace(/[^\p{L}\p{N}]+/gu, "");
+
+/** German of a text; nothing if it has none. */
+function spoken(words: string): string | undefined {
+  const known = tr(words),
+    said = known === words ? heard(words) : known;
+  return said === words ? undefined : said;
+}
+
+/** Numbers of a German text, and lists of them, as they are written there. */
+const written = (text: string) =>
+  withComma(text)
+    .replace(/(\d) and (\d)/g, "$1 und $2")
+    .replace(/(\d) of (\d)/g, "$1 von $2");
 
 class Copy {
   constructor(
@@ -65,13 +78,35 @@ class Copy {
     const [, before = "", words = "", after = ""] =
       /^([\s:]*)(.*?)(\s*)$/s.exec(data.replaceAll("\u00a0", " ")) ?? [];
     if (!isGerman || !words || isPart) return document.createTextNode(data);
-    const known = tr(words),
-      own = this.germans.get(bare(words)) ?? (known === words ? heard(words) : known),
-      isLeft = own === words && /\p{L}{3,} \p{L}{2,}/u.test(words),
-      isSvg = parentElement instanceof SVGElement;
-    return isLeft && !isSvg
-      ? make("span", { lang: "en" }, data)
-      : document.createTextNode(`${before}${own}${after}`);
+    const isSvg = parentElement instanceof SVGElement,
+      parts = this.sentences(words);
+    if (isSvg || parts.every(({ isLeft }) => !isLeft)) {
+      const said = parts.map(({ said }) => said).join(" ");
+      return document.createTextNode(`${before}${said}${after}`);
+    }
+    const shown = new DocumentFragment();
+    shown.append(before);
+    parts.forEach(({ said, isLeft }, k) => {
+      shown.append(k ? " " : "", isLeft ? make("span", { lang: "en" }, said) : said);
+    });
+    shown.append(after);
+    return shown;
+  }
+
+  /** A text in German as a whole, else sentence by sentence; what has no German is left as it is. */
+  private sentences(words: string): { said: string; isLeft: boolean }[] {
+    const known = this.germans.get(bare(words)) ?? (tr(words) === words ? undefined : tr(words));
+    if (known) return [{ said: written(known), isLeft: false }];
+    const parts = words.split(/(?<=[.!?])(?<!\bEq\.) (?=[A-Z–±\d])/).map((sentence) => {
+      const said = spoken(sentence),
+        isLeft = !said && /\p{L}{3,} \p{L}{2,}/u.test(sentence);
+      return { said: isLeft ? sentence : written(said ?? sentence), isLeft };
+    });
+    const left = parts.filter(({ isLeft }) => isLeft),
+      whole = left.length && parts.length > 1 ? spoken(words) : undefined;
+    return whole && !left.some(({ said }) => whole.includes(said)) // as if it were one sentence
+      ? [{ said: written(whole), isLeft: false }]
+      : parts;
   }
 }
 
@@ -97,8 +132,8 @@ export async function reported(address: string, findings: Finding[]): Promise<HT
     opened ??= Store.open(data!).then(inWords);
     return opened;
   };
-  const banner = source.querySelector(".banner")?.textContent;
-  if (banner) place.append(make("p", { class: "banner" }, banner));
+  const banner = source.querySelector(".banner");
+  if (banner) place.append(copy.of(banner) ?? "");
   place.append(make("nav", { "aria-label": "Contents" }, contents));
   sections.forEach((section, k) => {
     const own = copy.of(section) as HTMLElement,
