@@ -125,3 +125,23 @@ def test_nothing_of_a_foreign_report_acts(
         assert shown.locator("svg path").count() == 1
     finally:
         file.write_text(text, encoding="utf-8")
+
+
+LEFT = """() => [...document.querySelectorAll('.reported [lang=en]')]
+  .filter(one => !one.closest('dd, li')).map(one => one.textContent)"""
+"""Sentences that stay English, but for literature and texts of the campaign's author."""
+
+
+def test_a_german_page_has_the_report_in_german_with_decimal_commas(page: Any) -> None:
+    page.get_by_role("button", name="Deutsch").click()
+    page.locator(".reported h2", has_text="Antwort").first.wait_for()
+    text = page.evaluate("document.querySelector('.reported').textContent")
+    assert "Bewertung nach ISO/TS 18571 jedes Versuchs vor und nach jedem Abgleich" in text
+    assert "Standardfehler und Intervalle sind nur die des Rauschens" in text
+    assert "R² 0," in text
+    assert "R² 0." not in text
+    own = "stiffness, damping and friction"  # the update's name, as its campaign gives it
+    left = [text for text in page.evaluate(LEFT) if text != own]
+    assert not left, "\n".join(left)
+    page.get_by_role("button", name="English").click()
+    page.locator(".reported h2", has_text="Answer").first.wait_for()

@@ -118,7 +118,7 @@ export const fromField = (text: string): string =>
 
 /** A text with the decimal mark of the page in its numbers, such as "22.8 N/mm, 301 rows". */
 export const withComma = (text: string): string =>
-  isGerman ? text.replace(/(?<![\w.])(\d+)\.(\d+)(?=(?:e[-−]?\d+)?(?![\w.]))/g, "$1,$2") : text;
+  isGerman ? text.replace(/(?<![\w.])(\d+)\.(\d+)(?=(?:e[-−]?\d+)?(?!\w|\.\w))/g, "$1,$2") : text;
 
 const SAID: Record<string, string> = {};
 

@@ -330,7 +330,8 @@ def _what_was_done(result: CampaignResult) -> str:
         path for strategy in result.strategies for path in strategy.update.parameters
     )
     second = (
-        f"{len(result.strategies)} of {_count(len(asked.update), 'planned update')} were completed; fitted: "
+        f"{len(result.strategies)} of {_count(len(asked.update), 'planned update')} "
+        f"{'was' if len(asked.update) == 1 else 'were'} completed; fitted: "
         f"{_in_sentence(list(free))}. "
         if result.strategies
         else "No parameter was updated. "
