@@ -228,12 +228,12 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
     held = []
     clicks = Clicks(served.base, served.token)
     for _ in range(4):
-        clicks.click(500)
+        clicks.click(250)
         memory = settled_memory(served.process.pid)
         held.append(f"{memory['resident']:.0f}")
     rows.append(
         (
-            "memory of the idle server after 500, 1000, 1500 and 2000 requests of all routes at random",
+            "memory of the idle server after 250, 500, 750 and 1000 requests of all routes at random",
             "150 MB, flat",
             f"{', '.join(held)} MB; {memory['own']:.0f} MB of it not from files",
         )
