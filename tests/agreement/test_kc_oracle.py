@@ -324,19 +324,18 @@ def everywhere() -> dict:
 
 @pytest.fixture(scope="module")
 def soft() -> tuple[Oracle, State]:
-    """An axle of bushings without a lock of its rack, which its column holds."""
+    """An axle of bushings, its handwheel locked."""
     data = read_axle(everywhere())
     oracle = Oracle(data)
-    inputs = {name: value for name, value in on_pads(data).items() if not name.startswith("rack")}
-    return oracle, oracle.solve(inputs)
+    return oracle, oracle.solve(on_pads(data))
 
 
 def test_the_other_side_is_the_mirror_image(soft: tuple[Oracle, State]) -> None:
     oracle, rest = soft
     one = {"left.patch_y": 900.0, "left.patch_x": -700.0, "right.patch_y": 300.0}
-    loads = {**one, "left.moment_z": 80.0, "column.offset": 0.01}
+    loads = {**one, "left.moment_z": 80.0, "rack.travel": 0.01}
     other = {"right.patch_y": -900.0, "right.patch_x": -700.0, "left.patch_y": -300.0}
-    other |= {"right.moment_z": -80.0, "column.offset": -0.01}
+    other |= {"right.moment_z": -80.0, "rack.travel": -0.01}
     first, second = (oracle.solve({**rest.inputs, **each}, rest) for each in (loads, other))
     for name in ("patch", "centre", "axis"):
         np.testing.assert_allclose(
@@ -395,7 +394,7 @@ def test_reciprocity(soft: tuple[Oracle, State]) -> None:
 
 def test_slopes_are_differences(soft: tuple[Oracle, State]) -> None:
     oracle, rest = soft
-    for name, step in {"left.patch_y": 5.0, "right.moment_z": 1.0, "column.offset": 1e-4}.items():
+    for name, step in {"left.patch_y": 5.0, "right.moment_z": 1.0, "rack.travel": 1e-4}.items():
         ends = [
             oracle.solve({**rest.inputs, name: rest.inputs.get(name, 0.0) + sign * step}, rest)
             for sign in (1.0, -1.0)
@@ -458,8 +457,9 @@ def test_kinematics_of_a_corner(name: str, rack: float) -> None:
                 assert row[body][k] == pytest.approx(there, abs=1e-12)
         assert toe_out(row["axis"]) == pytest.approx(-float(swept["toe"][at]), abs=1e-12)
         assert np.arcsin(row["axis"][2]) == pytest.approx(-float(swept["camber"][at]), abs=1e-12)
-        spring = float(swept["spring_force"][at] + swept["stop_force"][at])
-        assert row["spring.force"][0] == pytest.approx(spring, rel=1e-10)
+        assert row["spring.force"][0] == pytest.approx(float(swept["spring_force"][at]), rel=1e-10)
+        stops = row.get("bump_stop.force", [0.0])[0] + row.get("rebound_stop.force", [0.0])[0]
+        assert stops == pytest.approx(float(swept["stop_force"][at]), abs=1e-7)
         rate = states[at].slopes(f"{rig.side}.height")[f"{rig.side}.vertical_force"][0]
         assert rate == pytest.approx(float(swept["wheel_rate_contact"][at]), rel=1e-10)
 

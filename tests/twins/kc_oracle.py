@@ -74,6 +74,13 @@ def energy_of(law: Mapping, x):
     return total
 
 
+def friction_energy(friction: Mapping, x, slipped):
+    """Energy of a spring of stiffness ``hold`` that slips at a ``force``, from where it slipped to before."""
+    away, reach = x - slipped, friction["force"] / friction["hold"]
+    beyond = ca.fmax(away - reach, 0.0) ** 2 + ca.fmax(-away - reach, 0.0) ** 2
+    return 0.5 * friction["hold"] * (away**2 - beyond)
+
+
 def _laws(element: Mapping) -> list[Mapping]:
     """Laws of a bushing in its six directions: a curve replaces the stiffness."""
     stiffness = (*element["stiffness"], *element.get("rotational_stiffness", (0.0, 0.0, 0.0)))
@@ -197,6 +204,15 @@ class State:
         values = self.oracle.show(self.x, self.oracle.vector(self.inputs))
         return dict(zip(self.oracle.names, (each.full()[:, 0] for each in values), strict=True))
 
+    @property
+    def slipped(self) -> dict[str, float]:
+        """Where friction has slipped to, as inputs of the next step."""
+        after = {}
+        for name, reach in self.oracle.slipping.items():
+            now, before = self.shown[f"{name}.dry"][0], self.inputs.get(f"{name}.slipped", 0.0)
+            after[f"{name}.slipped"] = now - np.clip(now - before, -reach, reach)
+        return after
+
     def slopes(self, of: str) -> dict[str, np.ndarray]:
         """Slopes of all that is shown by an input: exact derivatives at the equilibrium."""
         dx, column = self._by(of)
@@ -229,6 +245,8 @@ class Oracle:
     For each wheel: ``<wheel>.held`` (1: the height of its contact point is held, 0: its load), ``<wheel>.height``
     (m, of the contact point), ``<wheel>.load`` (N, up), and loads ``patch_x``, ``patch_y``, ``centre_x``,
     ``centre_y`` (N), ``moment_x``, ``moment_y``, ``moment_z`` (N m), ``trail`` (m behind the contact point).
+    With ``roll`` 1 the difference of two contact points' heights is ``roll.difference`` (m), the sum of loads
+    ``roll.load`` (N). Directions with friction have ``<name>.slipped``, which `solve` continues from its start.
     For the rack: ``rack.held``, ``rack.travel`` (m), ``rack.force`` (N).
     """
 
@@ -241,7 +259,11 @@ class Oracle:
         self._conditions: list[tuple[str, ca.SX]] = []
         self._unknowns: list[ca.SX] = []
         self._closing: list[ca.SX] = []
+        self._road: list[tuple[str, ca.SX, ca.SX]] = []
         self._show: dict[str, ca.SX] = {}
+        self.slipping: dict[
+            str, float
+        ] = {}  # directions with friction: deflection before they slip
         for element in data.elastic:
             getattr(self, f"_{element['kind'].replace(' ', '_')}")(element)
         for joint in data.joints:
@@ -251,6 +273,7 @@ class Oracle:
             self._add_rack(data.rack)
         for name, wheel in data.wheels.items():
             self._add_wheel(name, wheel)
+        self._close_road()
         self._finish()
 
     def vector(self, inputs: Mapping[str, float]) -> np.ndarray:
@@ -265,6 +288,7 @@ class Oracle:
 
     def solve(self, inputs: Mapping[str, float], start: State | None = None) -> State:
         """Equilibrium at inputs, reached from an equilibrium at others (by default from the design pose)."""
+        inputs = {**(start.slipped if start else {}), **inputs}
         target = self.vector(inputs)
         x = np.zeros(self.size) if start is None else start.x
         known = target if start is None else self.vector(start.inputs)
@@ -321,14 +345,34 @@ class Oracle:
             rotation = -rotation
         axes = mirror @ axes
         deflection = ca.vertcat(axes.T @ gap, axes.T @ rotation)
-        laws = _laws(row)
+        laws, names = _laws(row), ("x", "y", "z", "rx", "ry", "rz")
+        dry = [self._slips(f"{row['name']}.{each}", row, each) for each in names]
         probe = ca.SX.sym("probe", 6)
         energy = sum((energy_of(law, probe[i]) for i, law in enumerate(laws)), ca.SX(0.0))
+        for i, each in enumerate(dry):
+            energy += each(probe[i])
         self._energy += ca.substitute(energy, probe, deflection)
         force = -ca.substitute(ca.gradient(energy, probe), probe, deflection)
         self._show[f"{row['name']}.deflection"] = deflection
-        self._show[f"{row['name']}.force"] = force[:3]  # on the second body, axes of the bushing
+        self._show[f"{row['name']}.force"] = force  # on the second body, axes of the bushing
         self._show[f"{row['name']}.force_ground"] = first.turn(axes @ force[:3])
+        for i, each in enumerate(names):
+            self._note(f"{row['name']}.{each}", row, each, deflection[i])
+
+    def _slips(self, name: str, row: Mapping, direction: str):
+        """Energy of the friction in a direction, with its slipped deflection as an input."""
+        friction = row.get("friction", {}).get(direction)
+        if not friction:
+            return lambda _: 0.0
+        slipped = self.input(f"{name}.slipped")
+        return lambda x: friction_energy(friction, x, slipped)
+
+    def _note(self, name: str, row: Mapping, direction: str, deflection) -> None:
+        """Remember a direction that slips: its deflection is needed after each step."""
+        friction = row.get("friction", {}).get(direction)
+        if friction:
+            self._show[f"{name}.dry"] = deflection
+            self.slipping[name] = friction["force"] / friction["hold"]
 
     def _spring(self, row: Mapping) -> None:
         """Along a line: the law's deflection is a ``length`` (m, by default that of design) less the line's."""
@@ -336,13 +380,14 @@ class Oracle:
         reach = second.place(row["end"]) - first.place(row["at"])
         length = ca.sqrt(ca.dot(reach, reach))
         design = float(np.linalg.norm(np.subtract(row["end"], row["at"])))
-        probe = ca.SX.sym("probe", 2)  # deflections of the spring and of the stops
-        energy = energy_of(row["law"], probe[0]) + energy_of(row.get("stops", {}), probe[1])
-        now = ca.vertcat(row.get("length", design), design) - length
-        self._energy += ca.substitute(energy, probe, now)
-        force = ca.substitute(ca.gradient(energy, probe), probe, now)
-        self._show[f"{row['name']}.force"] = force[0] + force[1]  # compression positive
+        probe = ca.SX.sym("probe")
+        energy = energy_of(row["law"], probe) + self._slips(row["name"], row, "x")(probe)
+        deflection = row.get("length", design) - length
+        self._energy += ca.substitute(energy, probe, deflection)
+        force = ca.substitute(ca.gradient(energy, probe), probe, deflection)
+        self._show[f"{row['name']}.force"] = force  # compression positive
         self._show[f"{row['name']}.length"] = length
+        self._note(row["name"], row, "x", deflection)
 
     def _twist(self, row: Mapping) -> None:
         """Turn of the second body against the first about a common axis."""
@@ -351,6 +396,9 @@ class Oracle:
         angle = ca.dot(along, _rotation_vector(_relative(first, second)))
         self._energy += energy_of(row["law"], angle)
         self._show[f"{row['name']}.angle"] = angle
+        probe = ca.SX.sym("probe")
+        torque = ca.gradient(energy_of(row["law"], probe), probe)
+        self._show[f"{row['name']}.torque"] = ca.substitute(torque, probe, angle)
 
     def _bar(self, row: Mapping) -> None:
         """A bar between two halves, each turned about its axis on the holder; ``sign`` -1 takes their difference."""
@@ -362,16 +410,9 @@ class Oracle:
         twist = left + row["sign"] * right
         self._energy += energy_of(row["law"], twist)
         self._show[f"{row['name']}.angle"] = twist
-        self._show[f"{row['name']}.ends"] = ca.vertcat(left, right)
-
-    def _slide(self, row: Mapping) -> None:
-        """Spring along an axis of the first body, from an offset that is an input ``<name>.offset`` (m)."""
-        first, second = self._ends(row)
-        along = ca.DM(_across(row["axis"])[0])
-        travel = ca.dot(along, first.back(second.place(row["at"]) - first.place(row["at"])))
-        away = travel - self.input(f"{row['name']}.offset")
-        self._energy += energy_of(row["law"], away)
-        self._show[f"{row['name']}.deflection"] = away
+        probe = ca.SX.sym("probe")
+        torque = ca.gradient(energy_of(row["law"], probe), probe)
+        self._show[f"{row['name']}.torque"] = ca.substitute(torque, probe, twist)
 
     # joints --------------------------------------------------------------------------------------------------------
 
@@ -440,6 +481,8 @@ class Oracle:
         )
         self._virtual.append((force, travel, None))
         self._show |= {"rack.travel": travel, "rack.force": force}
+        rack = self.poses["rack"]
+        self._show["rack.place"] = ca.dot(along, first.back(rack.place(at) - first.place(at)))
 
     def _add_wheel(self, name: str, wheel: Wheel) -> None:
         """Loads do virtual work on points frozen to the body; the road pushes up at the lowest point of the disc."""
@@ -454,12 +497,9 @@ class Oracle:
         heading = _cross(axis, ca.DM([0.0, 0.0, 1.0])) / level
         heading = heading * ca.sign(float(_cross(ca.DM(wheel.axis), ca.DM([0.0, 0.0, 1.0]))[0]))
         behind = patch - load["trail"] * heading
-        vertical, held = ca.SX.sym(f"{name} load"), self.input(f"{name}.held")
+        vertical = ca.SX.sym(f"{name} load")
         self._unknowns.append(vertical)
-        self._closing.append(
-            held * (patch[2] - self.input(f"{name}.height"))
-            + (1.0 - held) * _MICRO * (vertical - self.input(f"{name}.load"))
-        )
+        self._road.append((name, patch[2], vertical))
         self._push(body, patch, ca.vertcat(0.0, 0.0, vertical))
         self._push(body, behind, ca.vertcat(load["patch_x"], load["patch_y"], 0.0))
         self._push(body, centre, ca.vertcat(load["centre_x"], load["centre_y"], 0.0))
@@ -473,6 +513,20 @@ class Oracle:
             f"{name}.centre": centre, f"{name}.patch": patch, f"{name}.axis": axis,
             f"{name}.vertical_force": vertical, f"{name}.turn": _rotation_vector(body.m),
         }  # fmt: skip
+
+    def _close_road(self) -> None:
+        """What is held at each wheel; with ``roll`` at both: the difference of heights, and the sum of loads."""
+        roll = self.input("roll")
+        heights, forces = ([row[k] for row in self._road] for k in (1, 2))
+        together = [
+            heights[0] - heights[-1] - self.input("roll.difference"),
+            _MICRO * (sum(forces, ca.SX(0.0)) - self.input("roll.load")),
+        ]
+        for k, (name, height, force) in enumerate(self._road):
+            held = self.input(f"{name}.held")
+            alone = held * (height - self.input(f"{name}.height"))
+            alone += (1.0 - held) * _MICRO * (force - self.input(f"{name}.load"))
+            self._closing.append((1.0 - roll) * alone + roll * together[k % 2])
 
     def _push(self, body: _Pose, place, force) -> None:
         """A force on the point of a body that is at a place now."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from kc_oracle import GROUND, Data, Wheel
+from kc_oracle import GROUND, Data, Wheel, energy_of
 
 SIDES = {"left": 1.0, "right": -1.0}
 _ARMS = {"double-wishbone": ("lower", "upper"), "mcpherson": ("lower",)}
@@ -94,7 +94,7 @@ class _Axle:
             "preload": (*(given.get("preload") or (0.0, 0.0, 0.0)),
                         *(given.get("rotational_preload") or (0.0, 0.0, 0.0))),
             "curves": {key: curve_of(c) for key, c in (given.get("curves") or {}).items() if c},
-            "axes": axes_of(given), "mirrored": self.sign < 0.0,
+            "axes": axes_of(given), "mirrored": self.sign < 0.0, "friction": friction_of(given),
         }  # fmt: skip
         self.data.elastic.append(row)
 
@@ -105,7 +105,7 @@ class _Axle:
         if stiffness is not None:
             tip = self.body(f"{arm}_tip", point)
             self.bush(
-                f"{self.side}.{arm}", {"stiffness": [stiffness] * 3}, self.at(point), first, tip
+                f"{self.side}.{arm}.end", {"stiffness": [stiffness] * 3}, self.at(point), first, tip
             )
             self.joint("aligned", f"{arm}_tip", first, tip)
             first = tip
@@ -145,14 +145,11 @@ class _Axle:
         if stretch is not None:  # two halves that slide in each other against a spring
             far, row = self.body(f"{name}_far", outer), {"at": end, "axis": end - start}
             self.joint("prismatic", f"{name}_stretch", link, far, **row)
-            row |= {"first": link, "second": far, "law": {"rate": stretch}}
-            self.data.elastic.append({"kind": "slide", "name": f"{self.side}.{name}", **row})
+            row = {"first": link, "second": far, "at": start, "end": end, "law": {"rate": stretch}}
+            self.data.elastic.append({"kind": "spring", "name": f"{self.side}.{name}", **row})
         self.ball(inner, holder, link)
         self.ball(outer, far, carrier)
-        twisting = sum(
-            any(self.bushings[point].get("rotational_stiffness") or (0.0,)) for point in soft
-        )
-        if not twisting:  # nothing else holds the link against turning about itself
+        if not any(_resists_turns(self.bushings[point]) for point in soft):
             along = (end - start) / np.linalg.norm(end - start)
             across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
             across /= np.linalg.norm(across)
@@ -208,11 +205,11 @@ class _Axle:
         foot, top = self.at("strut_bottom"), self.at("strut_top")
         if "strut_top" not in self.bushings:
             row = {"at": foot, "axis": top - foot, "point": top}
-            self.joint("point on line", "strut_slider", upright, GROUND, **row)
+            self.joint("point on line", "strut_slider", upright, self.holder("strut_top"), **row)
             return
         strut = self.carriers["strut"] = self.body("strut", "strut_top")
         self.joint("prismatic", "strut_slider", upright, strut, at=foot, axis=top - foot)
-        self.cushion("strut_top", GROUND, strut)
+        self.cushion("strut_top", self.holder("strut_top"), strut)
 
     def five_link(self) -> None:
         upright = self.carry("upright", "wheel_centre")
@@ -270,7 +267,8 @@ class _Axle:
         if turning is None:
             self.joint("aligned", "bearing_turn", carrier, hub)
         else:
-            self.joint("about", "bearing_spin", carrier, hub, axis=across)
+            ahead = np.cross(across, up)
+            self.joint("perpendicular", "bearing_spin", carrier, hub, axis=ahead, other=up)
         return hub
 
     def add_rocker(self) -> None:
@@ -305,18 +303,25 @@ class _Axle:
         strut = self.table.get("strut") or _NONE
         if not self.has("strut_bottom") or "spring" not in strut:
             return
-        spring, stops = strut["spring"], {}
+        spring = strut["spring"]
+        (first, at), (second, end) = (self.strut_end("spring", each) for each in ("bottom", "top"))
+        row = {"kind": "spring", "first": first, "second": second, "at": at, "end": end}
+        own = {"name": f"{self.side}.spring", "law": law_of(spring)}
+        if spring.get("free_length"):
+            own["length"] = spring["free_length"]
+        self.data.elastic.append(row | own)
         for name in ("bump_stop", "rebound_stop"):
             if strut.get(name):
-                stops[name] = strut[name]
-        (first, at), (second, end) = (self.strut_end("spring", each) for each in ("bottom", "top"))
-        row = {
-            "kind": "spring", "name": f"{self.side}.spring", "first": first, "second": second,
-            "at": at, "end": end, "law": law_of(spring), "stops": stops,
-        }  # fmt: skip
-        if spring.get("free_length"):
-            row["length"] = spring["free_length"]
-        self.data.elastic.append(row)
+                own = {"name": f"{self.side}.{name}", "law": {name: strut[name]}}
+                self.data.elastic.append(row | own)
+        friction = strut.get("friction")
+        if friction:
+            (first, at), (second, end) = (self.strut_end("damper", e) for e in ("bottom", "top"))
+            row = {"kind": "spring", "first": first, "second": second, "at": at, "end": end}
+            hold = friction["force"] / (friction.get("presliding_distance") or 1e-4)
+            dry = {"x": {"force": friction["force"], "hold": hold}}
+            own = {"name": f"{self.side}.friction", "law": {}, "friction": dry}
+            self.data.elastic.append(row | own)
 
     def add_torsion_bar(self) -> None:
         bar = self.table.get("torsion_bar")
@@ -344,31 +349,39 @@ class _Axle:
         if steering.get("housing"):
             self.data.bodies["housing"] = at
             for i, mount in enumerate(steering["housing"]):
-                for side in self.both():
+                for side in self.both(mount["point"]):
                     point = self.mirror(mount["point"])
-                    self.bush(f"{side}.housing_{i}", mount, point, housing, "housing")
+                    self.bush(f"{side}.steering.housing[{i}]", mount, point, housing, "housing")
             housing = "housing"
         self.data.bodies["rack"] = at
         self.joint("prismatic", "rack", housing, "rack", at=at, axis=(0.0, 1.0, 0.0))
-        row = {"first": housing, "second": "rack", "axis": (0.0, 1.0, 0.0), "at": at}
-        self.data.rack = row
-        if steering.get("column_stiffness"):  # the handwheel is at the offset over the ratio
+        row = {"axis": (0.0, 1.0, 0.0), "at": at}
+        self.data.rack = {"first": housing, "second": "rack", **row}
+        if steering.get("column_stiffness"):  # the handwheel drives a pinion, seen at the rack
+            self.data.bodies["pinion"] = at
+            self.joint("prismatic", "pinion", housing, "pinion", **row)
+            self.data.rack |= {"second": "pinion"}
             hand = 1.0 + (steering.get("assistance") or 0.0)
-            law = {"rate": hand * steering["column_stiffness"] / steering["rack_ratio"] ** 2}
-            self.data.elastic.append({"kind": "slide", "name": "column", "law": law, **row})
+            rate = hand * steering["column_stiffness"] / steering["rack_ratio"] ** 2
+            ends = {"first": "pinion", "second": "rack"}
+            column = {"kind": "bushing", "name": "column", "stiffness": (0.0, rate, 0.0)}
+            self.data.elastic.append(column | ends | {"at": at})
 
     def add_subframe(self, subframe: Mapping) -> None:
         mounts = subframe["mounts"]
         middle = np.mean([mount["point"] for mount in mounts], axis=0)
         self.data.bodies["subframe"] = (middle[0], 0.0, middle[2])
         for i, mount in enumerate(mounts):
-            for side in self.both():
+            for side in self.both(mount["point"]):
                 point = self.mirror(mount["point"])
-                self.bush(f"{side}.subframe_{i}", mount, point, GROUND, "subframe")
+                self.bush(f"{side}.subframe.mounts[{i}]", mount, point, GROUND, "subframe")
 
-    def both(self):
-        """Both sides of what is given on one side and mirrored."""
+    def both(self, point: Sequence[float]):
+        """Both sides of a mount that is given on one side and mirrored; in the middle it stands once."""
+        middle = abs(point[1]) < 1e-9
         for side, sign in SIDES.items():
+            if middle and sign != self.own:
+                continue
             self.sign = sign * self.own
             yield side
         self.sign = 1.0
@@ -406,7 +419,7 @@ class _Axle:
         else:
             sign = -1.0 if bar.get("kind", "u") == "u" else 1.0
             row = {"kind": "bar", "holder": holder, "halves": halves, "axes": axes, "sign": sign}
-        self.data.elastic.append({"name": "anti_roll_bar", "law": law, **row})
+        self.data.elastic.append({"name": "arb", "law": law, **row})
 
     def add_third_spring(self) -> None:
         third = self.table.get("third_spring")
@@ -423,6 +436,33 @@ class _Axle:
         if third["spring"].get("free_length"):
             row["length"] = third["spring"]["free_length"]
         self.data.elastic.append(row)
+
+
+def _resists_turns(bushing: Mapping) -> bool:
+    """Whether a bushing holds its link against turning about itself."""
+    turning = list(bushing.get("rotational_stiffness") or (0.0, 0.0, 0.0))
+    for i, name in enumerate(("rx", "ry", "rz")):
+        curve = (bushing.get("curves") or _NONE).get(name)
+        if curve:  # stiff at design
+            step = 1e-6
+            law = curve_of(curve)
+            energies = [float(energy_of(law, x)) for x in (-step, 0.0, step)]
+            turning[i] = (energies[0] - 2.0 * energies[1] + energies[2]) / step**2
+    return all(rate > 0.0 for rate in turning)
+
+
+def friction_of(given: Mapping) -> dict:
+    """Friction of a bushing by direction; it builds up within 0.1 mm or 0.1 deg unless a stiffness is given."""
+    out = {}
+    for names, prefix, travel in (
+        (("x", "y", "z"), "", 1e-4), (("rx", "ry", "rz"), "rotational_", np.radians(0.1)),
+    ):  # fmt: skip
+        forces = given.get(f"{prefix}friction") or (0.0, 0.0, 0.0)
+        holds = given.get(f"{prefix}friction_stiffness") or [force / travel for force in forces]
+        for name, force, hold in zip(names, forces, holds, strict=True):
+            if force:
+                out[name] = {"force": force, "hold": hold}
+    return out
 
 
 def axes_of(given: Mapping) -> np.ndarray:
