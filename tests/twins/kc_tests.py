@@ -97,7 +97,7 @@ def _lowest(centre, axis, radius: float) -> np.ndarray:
     return np.asarray(centre, dtype=float) + radius * down / np.linalg.norm(down)
 
 
-def quantities(state: State, steering: Mapping[str, tuple] = {}) -> dict[str, float]:  # noqa: B006
+def quantities(state: State, steering: Mapping[str, tuple] = {}) -> dict[str, float]:
     """What a sheet says of an equilibrium, by the names of ``jounce.kc_test``.
 
     ``steering`` has for each side the lower and the upper point of its steering axis: (body, point) each.
