@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-import kc_dependent
 import numpy as np
 import pytest
 from kc_oracle import GROUND, Data, Oracle, State, Wheel, energy_of
@@ -507,32 +506,39 @@ def test_compliance_of_a_corner(name: str, travel: float) -> None:
 # --- dependent axles --------------------------------------------------------------------------------------------------
 
 SOLID = {
-    "wheel_centre": (0.0, 0.75, 0.3),
-    "lower_body": (0.6, 0.45, 0.25),
-    "lower_axle": (0.0, 0.5, 0.25),
-    "upper_body": (0.6, 0.0, 0.45),
-    "upper_axle": (0.0, 0.0, 0.45),
-    "panhard_body": (-0.1, 0.5, 0.36),
-    "panhard_axle": (-0.1, -0.45, 0.30),
-    "spring_axle": (0.0, 0.5, 0.3),
-    "spring_body": (0.0, 0.5, 0.7),
+    "model": "solid-axle",
+    "wheel": {"radius": 0.3},
+    "hardpoints": {  # three trailing links, equal and parallel: in bounce the axle does not turn
+        "wheel_centre": (0.0, 0.75, 0.3),
+        "lower_link_body": (0.6, 0.5, 0.25),
+        "lower_link_axle": (0.0, 0.5, 0.25),
+        "upper_link_body": (0.6, 0.0, 0.45),
+        "upper_link_axle": (0.0, 0.0, 0.45),
+        "strut_bottom": (0.0, 0.5, 0.3),
+        "strut_top": (0.0, 0.5, 0.7),
+    },
+    "strut": {"on": "axle", "spring": {"rate": 3e4, "preload": 3000.0}},
 }
-LAW = {"rate": 3e4, "preload": 3000.0}
+PANHARD = {"panhard_body": (-0.1, 0.5, 0.36), "panhard_axle": (-0.1, -0.45, 0.30)}
+WATT = {
+    "watt_pivot": (-0.1, 0.0, 0.3),
+    "watt_upper_axle": (-0.1, 0.0, 0.36),
+    "watt_upper_body": (-0.1, 0.5, 0.36),
+    "watt_lower_axle": (-0.1, 0.0, 0.24),
+    "watt_lower_body": (-0.1, -0.5, 0.24),
+}
 
 
-def parallel() -> dict:
-    """Three trailing links, equal and parallel: in bounce the axle does not turn."""
-    return SOLID | {"lower_body": (0.6, 0.5, 0.25)}
+def solid(**guide) -> tuple[Data, dict]:
+    points = SOLID["hardpoints"] | guide
+    return read_axle({**SOLID, "hardpoints": points}), points
 
 
 def test_panhard_rod_in_bounce() -> None:
     """Two spheres: the links' and the rod's."""
-    points = parallel()
-    data = kc_dependent.solid_axle(
-        points, 0.3, links=("lower",), single=("upper", "panhard"), spring=LAW
-    )
+    data, points = solid(**PANHARD)
     oracle, state = Oracle(data), None
-    link = np.subtract(points["lower_axle"], points["lower_body"])
+    link = np.subtract(points["lower_link_axle"], points["lower_link_body"])
     rod = np.subtract(points["panhard_axle"], points["panhard_body"])
     for z in np.linspace(-0.08, 0.08, 9):
         state = oracle.solve(on_pads(data, z), state)
@@ -545,10 +551,7 @@ def test_panhard_rod_in_bounce() -> None:
 
 def test_roll_centre_of_a_panhard_rod() -> None:
     """The rod is the only part across: sideways loads transfer load as if they acted where it crosses the middle."""
-    points = parallel()
-    data = kc_dependent.solid_axle(
-        points, 0.3, links=("lower",), single=("upper", "panhard"), spring=LAW
-    )
+    data, points = solid(**PANHARD)
     state = Oracle(data).solve(on_pads(data))
     slopes = [state.slopes(f"{side}.patch_y") for side in SIDES]  # a newton at each wheel
     transfer = sum(s["left.vertical_force"][0] - s["right.vertical_force"][0] for s in slopes)
@@ -559,14 +562,7 @@ def test_roll_centre_of_a_panhard_rod() -> None:
 
 def test_watt_linkage() -> None:
     """The crank's middle follows Watt's curve: straight to some micrometres, and independent of the axle's links."""
-    points = parallel() | {
-        "watt_pivot": (-0.1, 0.0, 0.3),
-        "watt_crank_left": (-0.1, 0.0, 0.36),
-        "watt_body_left": (-0.1, 0.5, 0.36),
-        "watt_crank_right": (-0.1, 0.0, 0.24),
-        "watt_body_right": (-0.1, -0.5, 0.24),
-    }
-    data = kc_dependent.solid_axle(points, 0.3, links=("lower",), single=("upper",), spring=LAW)
+    data, points = solid(**WATT)
     oracle, state = Oracle(data), None
 
     def pose(z: float, ahead: float) -> float:
@@ -592,23 +588,31 @@ def test_watt_linkage() -> None:
 
 
 BEAM = {
-    "mount": (0.45, 0.5, 0.32),
-    "shear_centre": (0.25, 0.0, 0.38),
-    "wheel_centre": (0.0, 0.72, 0.3),
-    "spring_axle": (0.0, 0.5, 0.28),
-    "spring_body": (0.0, 0.5, 0.6),
+    "model": "twist-beam",
+    "wheel": {"radius": 0.3},
+    "beam": {"torsional_stiffness": 5000.0},
+    "hardpoints": {
+        "wheel_centre": (0.0, 0.72, 0.3),
+        "pivot": (0.45, 0.5, 0.32),
+        "shear_centre": (0.25, 0.0, 0.38),
+        "strut_bottom": (0.0, 0.5, 0.28),
+        "strut_top": (0.0, 0.5, 0.6),
+    },
 }
+SPRUNG = {**BEAM, "strut": SOLID["strut"]}
 
 
 def beam_line() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Left mount, and the direction of the line from the shear centre through it; the wheel's centre from there."""
-    mount, shear = np.array(BEAM["mount"]), np.array(BEAM["shear_centre"])
-    return mount, (mount - shear) / np.linalg.norm(mount - shear), np.array(BEAM["wheel_centre"])
+    """Left pivot, the direction of the line from the shear centre through it, and the wheel's centre."""
+    pivot, shear, centre = (
+        np.array(BEAM["hardpoints"][name]) for name in ("pivot", "shear_centre", "wheel_centre")
+    )
+    return pivot, (pivot - shear) / np.linalg.norm(pivot - shear), centre
 
 
 def test_twist_beam_in_roll() -> None:
     """Each half turns about the line through its mount and the shear centre in the middle of the car."""
-    data = kc_dependent.twist_beam(BEAM, 0.3, stiffness=5000.0, spring=LAW)
+    data = read_axle(SPRUNG)
     oracle = Oracle(data)
     state = oracle.solve(on_pads(data))
     slopes = {
@@ -623,12 +627,12 @@ def test_twist_beam_in_roll() -> None:
         slopes["left.centre"], np.cross(rate * along, centre - mount), atol=1e-12
     )
     np.testing.assert_allclose(slopes["right.turn"], rate * along * [1.0, -1.0, 1.0], atol=1e-11)
-    assert slopes["beam.angle"][0] == pytest.approx(2.0 * rate * along[1], rel=1e-12)
+    assert slopes["beam.angle"][0] == pytest.approx(-2.0 * rate * along[1], rel=1e-12)
 
 
 def test_roll_stiffness_of_a_twist_beam() -> None:
     """Without springs the beam alone resists: its torque through the lever of the line to the contact point."""
-    data = kc_dependent.twist_beam(BEAM, 0.3, stiffness=5000.0)
+    data = read_axle(BEAM)
     state = Oracle(data).solve(on_pads(data))
     force = state.slopes("left.height")["left.vertical_force"][0]
     mount, along, centre = beam_line()
@@ -638,9 +642,9 @@ def test_roll_stiffness_of_a_twist_beam() -> None:
 
 def test_twist_beam_in_bounce() -> None:
     """Both halves turn as one about the line through the mounts."""
-    data = kc_dependent.twist_beam(BEAM, 0.3, stiffness=5000.0, spring=LAW)
+    data = read_axle(SPRUNG)
     oracle, state = Oracle(data), None
-    arm = np.subtract(BEAM["wheel_centre"], BEAM["mount"])[[0, 2]]
+    arm = (beam_line()[2] - beam_line()[0])[[0, 2]]
     start, length = np.arctan2(arm[1], -arm[0]), np.hypot(*arm)
     for z in (-0.05, 0.0, 0.05):
         state = oracle.solve(on_pads(data, z), state)
@@ -652,7 +656,7 @@ def test_twist_beam_in_bounce() -> None:
 def test_roll_centre_of_a_twist_beam() -> None:
     """By virtual work: opposed loads lift the wheels as their contact points move sideways in roll."""
     bushing = {"stiffness": (1e13,) * 3, "rotational_stiffness": (0.0, 0.0, 0.0)}
-    data = kc_dependent.twist_beam(BEAM, 0.3, stiffness=5000.0, spring=LAW, bushing=bushing)
+    data = read_axle({**SPRUNG, "bushings": {"pivot": bushing}})
     state = Oracle(data).solve({**on_pads(data)})
     slopes = [state.slopes(f"{side}.patch_y") for side in SIDES]
     transfer = sum(s["left.vertical_force"][0] - s["right.vertical_force"][0] for s in slopes)

@@ -407,7 +407,7 @@ class Oracle:
             ca.dot(ca.DM(axis), _rotation_vector(_relative(holder, self.poses[half])))
             for axis, half in zip(row["axes"], row["halves"], strict=True)
         )
-        twist = left + row["sign"] * right
+        twist = right + row["sign"] * left
         self._energy += energy_of(row["law"], twist)
         self._show[f"{row['name']}.angle"] = twist
         probe = ca.SX.sym("probe")
@@ -481,8 +481,7 @@ class Oracle:
         )
         self._virtual.append((force, travel, None))
         self._show |= {"rack.travel": travel, "rack.force": force}
-        rack = self.poses["rack"]
-        self._show["rack.place"] = ca.dot(along, first.back(rack.place(at) - first.place(at)))
+        self._show["rack.place"] = ca.dot(along, self.poses["rack"].place(at) - ca.DM(at))
 
     def _add_wheel(self, name: str, wheel: Wheel) -> None:
         """Loads do virtual work on points frozen to the body; the road pushes up at the lowest point of the disc."""

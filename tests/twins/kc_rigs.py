@@ -161,13 +161,15 @@ class _Axle:
     # suspensions -------------------------------------------------------------------------------------------------
 
     def build(self) -> Data:
-        table, steering = self.table, self.table.get("steering")
+        table = self.table
         self.side = "axle"
         if table.get("subframe"):
             self.add_subframe(table["subframe"])
-        self.steered = steering is not None
+        self.steered = self.has("tie_rod_inner") or self.has("link_5_inner")
         if self.steered:
-            self.add_rack(steering)
+            self.add_rack(table.get("steering") or _NONE)
+        if table["model"] == "solid-axle":
+            self.add_beam_axle()
         for side in self.sides:
             self.side, self.sign = side, SIDES[side] * self.own
             self.carriers: dict[str, str] = {}
@@ -176,11 +178,15 @@ class _Axle:
                 "mcpherson": self.mcpherson,
                 "five-link": self.five_link,
                 "trailing-arm": self.trailing_arm,
+                "solid-axle": self.solid_axle,
+                "twist-beam": self.twist_beam,
             }[table["model"]]()
             self.add_rocker()
             self.add_strut()
             self.add_torsion_bar()
             self.add_wheel()
+        if table["model"] == "twist-beam":
+            self.add_beam(table["beam"])
         self.add_bar()
         self.add_third_spring()
         return self.data
@@ -224,6 +230,55 @@ class _Axle:
     def trailing_arm(self) -> None:
         arm = self.carry("arm", "arm_outer")
         self.pivot("arm", arm, ("arm_outer", "arm_inner"))
+
+    # dependent axles ---------------------------------------------------------------------------------------------
+
+    def add_beam_axle(self) -> None:
+        """The beam of a solid axle, and what guides it once."""
+        centre = self.points["wheel_centre"]
+        self.data.bodies["axle"] = (centre[0], 0.0, centre[2])
+        self.side, self.carriers = "left", {}
+        if self._upper_is_single:
+            self.link("upper_link", (GROUND, "upper_link_body"), ("axle", "upper_link_axle"))
+        if self.has("panhard_axle"):
+            self.link("panhard", (GROUND, "panhard_body"), ("axle", "panhard_axle"))
+        if self.has("watt_pivot"):
+            pivot = self.at("watt_pivot")
+            self.data.bodies["watt"] = tuple(pivot)
+            self.joint("revolute", "watt_pivot", "axle", "watt", at=pivot, end=pivot + np.eye(3)[0])
+            for name in ("watt_upper", "watt_lower"):
+                self.link(name, (GROUND, f"{name}_body"), ("watt", f"{name}_axle"))
+
+    @property
+    def _upper_is_single(self) -> bool:
+        names = ("upper_link_body", "upper_link_axle")
+        return self.has(*names) and all(abs(self.points[name][1]) < 1e-9 for name in names)
+
+    def solid_axle(self) -> None:
+        self.carriers |= {"axle": "axle", "upright": "axle"}
+        self.link("lower_link", (GROUND, "lower_link_body"), ("axle", "lower_link_axle"))
+        if self.has("upper_link_axle") and not self._upper_is_single:
+            self.link("upper_link", (GROUND, "upper_link_body"), ("axle", "upper_link_axle"))
+
+    def twist_beam(self) -> None:
+        """Half of a twist beam. Between ideal pivots a twisted beam is too long: the right one slides along y."""
+        half, pivot = self.carry("axle", "pivot"), self.at("pivot")
+        if "pivot" in self.bushings:
+            self.cushion("pivot", GROUND, half)
+        elif self.side == "left":
+            self.joint("spherical", "pivot", GROUND, half, at=pivot)
+        else:
+            row = {"at": pivot, "axis": (0.0, 1.0, 0.0), "point": pivot}
+            self.joint("point on line", "pivot", GROUND, half, **row)
+
+    def add_beam(self, beam: Mapping) -> None:
+        """The beam between the halves: it only twists, about the line across through its shear centre."""
+        middle, ends = self.at("shear_centre"), {"first": "left.axle", "second": "right.axle"}
+        row = {"at": middle, "end": middle + np.eye(3)[1]}
+        self.data.joints.append({"kind": "revolute", "name": "beam", **ends, **row})
+        law = {"rate": beam["torsional_stiffness"]}
+        twist = {"kind": "twist", "name": "beam", "axis": (0.0, 1.0, 0.0), "law": law}
+        self.data.elastic.append(twist | ends)
 
     def carry(self, name: str, reference: str) -> str:
         """The body that carries the wheel."""
@@ -393,9 +448,11 @@ class _Axle:
         assert bar.get("kind", "u") in ("u", "z"), "a T-bar"
         assert not bar.get("blade"), "blades"
         axes, halves, holder = [], [], self.holder("arb_pivot")
+        table_is_solid = self.table["model"] == "solid-axle"
         for side in self.sides:
             self.side, self.sign = side, SIDES[side] * self.own
-            self.carriers = {bar["on"]: f"{side}.{bar['on']}"}
+            on = "axle" if table_is_solid else f"{side}.{bar['on']}"
+            self.carriers = {bar["on"]: on}
             pivot = self.at("arb_pivot")
             axis = (
                 self.at("arb_axis") - pivot if self.has("arb_axis") else np.array([0.0, 1.0, 0.0])
@@ -412,7 +469,7 @@ class _Axle:
         law = {"rate": bar["stiffness"]}
         if "arb_pivot" in self.bushings:  # the halves stay in line and twist against each other
             assert bar.get("kind", "u") == "u", "a Z-bar on bushings"
-            ends = {"first": halves[1], "second": halves[0]}
+            ends = {"first": halves[0], "second": halves[1]}
             self.side = "axle"
             self.joint("revolute", "anti_roll_bar", **ends, at=pivot, end=pivot + axes[-1])
             row = {"kind": "twist", "axis": axes[0], "law": law, **ends}
