@@ -244,7 +244,7 @@ class Oracle:
 
     For each wheel: ``<wheel>.held`` (1: the height of its contact point is held, 0: its load), ``<wheel>.height``
     (m, of the contact point), ``<wheel>.load`` (N, up), and loads ``patch_x``, ``patch_y``, ``centre_x``,
-    ``centre_y`` (N), ``moment_x``, ``moment_y``, ``moment_z`` (N m), ``trail`` (m behind the contact point).
+    ``centre_y`` (N), ``moment_x``, ``moment_y``, ``moment_z`` (N m), ``trail`` (m along -x behind the contact point).
     With ``roll`` 1 the difference of two contact points' heights is ``roll.difference`` (m), the sum of loads
     ``roll.load`` (N). Directions with friction have ``<name>.slipped``, which `solve` continues from its start.
     For the rack: ``rack.held``, ``rack.travel`` (m), ``rack.force`` (N).
@@ -492,10 +492,7 @@ class Oracle:
         centre = body.place(wheel.centre)
         patch = centre + wheel.radius * down
         load = {each: self.input(f"{name}.{each}") for each in (*_LOADS, "trail")}
-        # the road's horizontal force acts behind the contact point, along the road, in the wheel's plane
-        heading = _cross(axis, ca.DM([0.0, 0.0, 1.0])) / level
-        heading = heading * ca.sign(float(_cross(ca.DM(wheel.axis), ca.DM([0.0, 0.0, 1.0]))[0]))
-        behind = patch - load["trail"] * heading
+        behind = patch - ca.vertcat(load["trail"], 0.0, 0.0)
         vertical = ca.SX.sym(f"{name} load")
         self._unknowns.append(vertical)
         self._road.append((name, patch[2], vertical))
