@@ -46,6 +46,7 @@ MOUNTS = [
     {"point": [-0.3, 0.38, 0.26], **bush(9, 5, 7)},
 ]
 BEARING = {"stiffness": [1e8, 5e7, 1e8], "rotational_stiffness": [1e5, 0.0, 1.1e5]}
+TORSION_BAR = {"stiffness": 900.0, "preload": 120.0, "on": "arm"}
 HARD = {"turning": (5.0, 4.0, 3.0)}
 
 
@@ -138,7 +139,6 @@ def trailing_arm() -> jn.Rig:
                 "arm_outer": bush(8, 6, 2, curves={"z": cubic}),
             },
             "subframe": {"carries": ["arm_inner", "arm_outer"], "mounts": mounts},
-            "torsion_bar": {"stiffness": 900.0, "preload": 120.0, "on": "arm"},
         }
     )
 
@@ -169,8 +169,8 @@ def twist_beam() -> jn.Rig:
     )
 
 
-def ideal(name: str):
-    return lambda: jn.load(name)
+def ideal(name: str, **changes):
+    return lambda: jn.load(name).with_changes(changes)
 
 
 RIGS = {
@@ -184,7 +184,7 @@ RIGS = {
     "ideal double wishbone": (ideal("reference-double-wishbone"), 0.05),
     "ideal mcpherson": (ideal("generic-mcpherson"), 0.05),
     "ideal five links": (ideal("sedan-multi-link"), 0.05),
-    "ideal trailing arm": (ideal("semi-trailing-arm"), 0.05),
+    "ideal trailing arm": (ideal("semi-trailing-arm", torsion_bar=TORSION_BAR), 0.05),
 }
 STATES = {  # travel as a share of the rig's, rack travel (m), what is held
     "ride height": (0.0, 0.0, "load"),
@@ -201,7 +201,6 @@ class Both:
         self.rig, self.travel = rig, travel
         self.table = rig.model_dump(by_alias=True, exclude_none=True)
         self.oracle = Oracle(kc_rigs.read_axle(self.table))
-        self.axes = kc_tests.steering_axes(self.table)
         self.states: dict[tuple, kc_tests.Rig] = {}
 
     @property
@@ -220,7 +219,7 @@ class Both:
         sheet = jn.kc_test(self.rig, test, **given)
         own = {key: options[key] for key in ("held", "handwheel", "trail") if key in options}
         states = self.state(travel, rack).run(test, sheet["input"].values, **own)
-        rows = [kc_tests.quantities(state, self.axes) for state in states]
+        rows = [kc_tests.quantities(state, self.table) for state in states]
         assert set(rows[0]) == {str(name) for name in sheet.data_vars}
         wrong = {}
         for name in rows[0]:

@@ -481,7 +481,8 @@ class Oracle:
         )
         self._virtual.append((force, travel, None))
         self._show |= {"rack.travel": travel, "rack.force": force}
-        self._show["rack.place"] = ca.dot(along, self.poses["rack"].place(at) - ca.DM(at))
+        rack = self.poses["rack"]  # may be another body than the driven pinion
+        self._show["rack.place"] = ca.dot(along, first.back(rack.place(at) - first.place(at)))
 
     def _add_wheel(self, name: str, wheel: Wheel) -> None:
         """Loads do virtual work on points frozen to the body; the road pushes up at the lowest point of the disc."""

@@ -97,11 +97,9 @@ def _lowest(centre, axis, radius: float) -> np.ndarray:
     return np.asarray(centre, dtype=float) + radius * down / np.linalg.norm(down)
 
 
-def quantities(state: State, steering: Mapping[str, tuple] = {}) -> dict[str, float]:
-    """What a sheet says of an equilibrium, by the names of ``jounce.kc_test``.
-
-    ``steering`` has for each side the lower and the upper point of its steering axis: (body, point) each.
-    """
+def quantities(state: State, table: Mapping) -> dict[str, float]:
+    """What a sheet says of an equilibrium of a rig's table, by the names of ``jounce.kc_test``."""
+    steering = _steering_axes(table)
     shown, data = state.shown, state.oracle.data
     out: dict[str, float] = {}
     for name, wheel in data.wheels.items():
@@ -134,6 +132,11 @@ def quantities(state: State, steering: Mapping[str, tuple] = {}) -> dict[str, fl
     if data.rack:
         out["rack_travel"] = float(shown["rack.place"][0])
         out["rack_force"] = float(shown["rack.force"][0])
+        ratio = (table.get("steering") or {}).get("rack_ratio")
+        if ratio:  # without a column the handwheel turns the pinion
+            hand = 1.0 + (table["steering"].get("assistance") or 0.0)
+            out["handwheel_angle"] = float(shown["rack.travel"][0]) / ratio
+            out["handwheel_torque"] = out["rack_force"] / hand * ratio
     return out
 
 
@@ -159,7 +162,7 @@ def _wheel(state: State, name: str, wheel: Wheel) -> dict[str, float]:
     return out
 
 
-def steering_axes(table: Mapping) -> dict[str, tuple]:
+def _steering_axes(table: Mapping) -> dict[str, tuple]:
     """Lower and upper point of the steering axis on each side, where ball joints make one."""
     points, own = table["hardpoints"], SIDES[table.get("side", "left")]
     out = {}

@@ -111,8 +111,10 @@ class BuiltAxle(AxleBuilder):
         zero = 0.0 * rate
         ball = self.point(name.replace("arm", "ball_joint"))
         stiffness = np.stack([rate, rate, rate, zero, zero, zero])
-        self.assembly.bushing(self.called(f"{name}.end"), arm, end, ball, stiffness=stiffness)
-        self.assembly.parallel(self.called(f"{name}.end"), arm, end)
+        label, axes = self.called(f"{name}.end"), np.eye(3)[:, :, None] * self.mirror[None]
+        axes = np.broadcast_to(axes, (3, 3, self.assembly.columns))
+        self.assembly.bushing(label, arm, end, ball, stiffness=stiffness, axes=axes)
+        self.assembly.parallel(label, arm, end)
         return end
 
     def _double_wishbone(self) -> None:

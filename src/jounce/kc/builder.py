@@ -172,8 +172,8 @@ class AxleBuilder(ABC):
         self.joint(ends[0], bodies[0], inner)
         self.joint(ends[1], outer, bodies[1])
         if not any(self._holds_turns(end) for end in ends):
-            one, other = across(points[1] - points[0])
-            self.assembly.align(f"{label}.turn", bodies[0], inner, one, other)
+            one, other = across(points[1] - points[0])  # as the universal joint of a run has them
+            self.assembly.align(f"{label}.turn", bodies[0], inner, other, one)
 
     @property
     def _loaded(self) -> set[str]:

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from jounce.core.types import Array
-from jounce.kc.assembly import GROUND, Numbers
+from jounce.kc.assembly import GROUND, Element, Numbers
 from jounce.kc.builder import SIDES
 from jounce.kernel import equilibrium as eq
 
@@ -168,15 +168,9 @@ def quantities(poses: Poses) -> dict[str, xr.Variable]:
         _keep_road(poses, k, side, keep)
     _keep_elements(poses, keep)
     if axle.steered:
-        place = next(i for i, e in enumerate(axle.assembly.elements) if e.is_control)
-        element = axle.assembly.elements[place]
-        at, direction = (
-            np.real(element.data[:3, 0]),
-            np.real(element.data[eq.ALONG : eq.ALONG + 3, 0]),
-        )
-        rack = axle.bodies["rack"]
-        travel = (moved(places[:, rack], at) - at) @ direction
-        keep("rack_travel", travel, "m", "travel of the rack on the body", "to the left")
+        element = next(e for e in axle.assembly.elements if e.is_control)
+        travel = _travel(places, element, axle.bodies["rack"])
+        keep("rack_travel", travel, "m", "travel of the rack in its housing", "to the left")
         keep(
             "rack_force",
             poses.control_force("rack"),
@@ -184,19 +178,27 @@ def quantities(poses: Poses) -> dict[str, xr.Variable]:
             "force of the handwheel on the rack",
             "to the left",
         )
-        _keep_handwheel(poses, element.second, (at, direction), keep)
+        _keep_handwheel(poses, _travel(places, element, element.second), keep)
     return out
 
 
-def _keep_handwheel(poses: Poses, driven: int, along: tuple[Array, Array], keep: Any) -> None:
-    """Keep angle and torque of the handwheel, if the ratio of the rack is known."""
+def _travel(places: Array, element: Element, body: int) -> Array:
+    """Return the travel (m) of a body along a control's line on its first body, which may move itself."""
+    at, direction = (np.real(element.data[k : k + 3, 0]) for k in (eq.P, eq.ALONG))
+    if element.first == GROUND:
+        return np.asarray((moved(places[:, body], at) - at) @ direction)
+    holder = places[:, element.first]
+    apart = moved(places[:, body], at) - moved(holder, at)
+    return np.asarray((apart * turned(holder, direction)).sum(axis=-1))
+
+
+def _keep_handwheel(poses: Poses, travel: Array, keep: Any) -> None:
+    """Keep angle and torque of the handwheel for a travel (m) of what it drives, if the rack's ratio is known."""
     from jounce.kinematics.column import handwheel_angle, pinion_angle
 
     steering = getattr(poses.laboratory.rig, "steering", None)
     if steering is None or steering.rack_ratio is None:
         return
-    at, direction = along
-    travel = (moved(poses.places()[:, driven], at) - at) @ direction
     angle = np.full_like(travel, np.nan)
     known = np.isfinite(travel)
     angle[known] = handwheel_angle(steering, travel[known])
