@@ -60,6 +60,7 @@ _SLOW = 0.03  # ratio of two changes above which the matrix is formed again
 _LARGEST = 0.5  # m, rad: a change that no mechanism makes in a step
 _SHORTEST = 1.0 / 512.0  # of a step
 _SMALLEST = 1e-13  # pivot, as a share of the largest: rounding
+_ORTHOGONAL = 20  # iterations; two after small steps. What is left would deform a body for good
 _FLAT = 1e-4  # rad: rotation below which a series is exact
 
 
@@ -214,7 +215,7 @@ def _move(pose: Any, body: int, v: Triple, w: Triple) -> None:
 def _orthogonal(pose: Any, body: int) -> None:
     """Make a nearly orthogonal matrix orthogonal."""
     r = pose[body]
-    for _ in range(3):
+    for _ in range(_ORTHOGONAL):
         x, y, z = _triple(r, 3), _triple(r, 6), _triple(r, 9)
         xx, yy, zz = 1.5 - 0.5 * _dot(x, x), 1.5 - 0.5 * _dot(y, y), 1.5 - 0.5 * _dot(z, z)
         xy, xz, yz = -0.5 * _dot(x, y), -0.5 * _dot(x, z), -0.5 * _dot(y, z)
@@ -222,6 +223,9 @@ def _orthogonal(pose: Any, body: int) -> None:
             r[3 + j] = xx * x[j] + xy * y[j] + xz * z[j]
             r[6 + j] = xy * x[j] + yy * y[j] + yz * z[j]
             r[9 + j] = xz * x[j] + yz * y[j] + zz * z[j]
+        off = max(abs(xx - 1.0), abs(yy - 1.0), abs(zz - 1.0), abs(xy), abs(xz), abs(yz))
+        if off < 1e-9:  # it was squared by this iteration
+            return
 
 
 # laws -----------------------------------------------------------------------------------------------------------------
