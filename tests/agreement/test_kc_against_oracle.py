@@ -275,3 +275,50 @@ def test_loops_of_friction(test: str) -> None:
         }
     )
     Both(rig, 0.05).compare(test, points=21)
+
+
+@pytest.mark.parametrize("rig", [mcpherson, solid_axle, twist_beam])
+def test_roll_centre_and_support_from_forces(rig) -> None:
+    """Wheel loads of held pads under horizontal forces: their slopes at ride height, exact in the oracle."""
+    both = Both(rig(), 0.05)
+    state = both.state(0.0, 0.0).rest
+    loads = [f"{side}.vertical_force" for side in kc_tests.SIDES]
+    across = np.array([state.shown[f"{side}.patch"][1] for side in kc_tests.SIDES])
+
+    def changes(name: str) -> np.ndarray:
+        """Of each wheel's load, for a newton on both tyres."""
+        rows = [state.slopes(f"{side}.{name}") for side in kc_tests.SIDES]
+        return np.array([sum(row[load][0] for row in rows) for load in loads])
+
+    centres = jn.kc_centres(both.rig).sel(source="forces")
+    height = -(across * changes("patch_y")).sum() / 2.0
+    # the rig fits a line over half the usual range, on which the loads are nearly linear
+    assert float(centres["roll_centre_height"]) == pytest.approx(height, rel=0.03, abs=2e-3)
+    for test, (name, sign) in kc_tests.LONGITUDINAL.items():
+        angle = np.arctan(sign * changes(name).mean())
+        assert float(centres[test]) == pytest.approx(angle, rel=0.05, abs=3e-3)
+
+
+@pytest.mark.parametrize(
+    ("parameter", "step"),
+    [
+        ("hardpoints.tie_rod_outer[2]", 1e-4),
+        ("hardpoints.lower_ball_joint[1]", 1e-4),
+        ("bushings.lower_arm_front.stiffness[1]", 2e4),
+        ("bearing.rotational_stiffness[2]", 1e3),
+    ],
+)
+def test_sensitivities_are_differences_of_the_oracle(parameter: str, step: float) -> None:
+    rig, test = mcpherson(), "lateral-opposed"
+    names = ["left.toe", "left.camber", "right.wheel_centre_y"]
+    rows = jn.kc_sensitivities(rig, test, [parameter], quantities=names, points=POINTS)
+    value = rig.parameters()[parameter]
+    ends = []
+    for sign in (1.0, -1.0):
+        moved = Both(rig.with_changes({parameter: value + sign * step}), 0.05)
+        states = moved.state(0.0, 0.0).run(test, rows["input"].values)
+        ends.append([kc_tests.quantities(state, moved.table) for state in states])
+    for name in names:
+        rise = [(a[name] - b[name]) / (2.0 * step) for a, b in zip(ends[0], ends[1], strict=True)]
+        slopes = rows["sensitivity"].sel(quantity=name, parameter=parameter).values
+        assert slopes == pytest.approx(np.array(rise), rel=2e-4, abs=2e-4 * np.ptp(rise))

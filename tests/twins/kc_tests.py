@@ -13,7 +13,7 @@ from kc_oracle import GROUND, Oracle, State, Wheel
 
 SIDES = {"left": 1.0, "right": -1.0}
 _SHARES = {"in-phase": (1.0, 1.0), "opposed": (1.0, -1.0), "left": (1.0, 0.0), "right": (0.0, 1.0)}
-_LONGITUDINAL = {  # force of the road forward for a unit of the input, and where it acts
+LONGITUDINAL = {  # force of the road forward for a unit of the input, and where it acts
     "braking": ("patch_x", -1.0),
     "braking-inboard": ("centre_x", -1.0),
     "driving": ("centre_x", 1.0),
@@ -77,8 +77,8 @@ class Rig:
             inputs |= {f"{name}.load": load for name, load in self.loads.items()}
         if test == "steer":
             return inputs | {"rack.held": 1.0, "rack.travel": self.rack + value}
-        if test in _LONGITUDINAL:
-            name, sign = _LONGITUDINAL[test]
+        if test in LONGITUDINAL:
+            name, sign = LONGITUDINAL[test]
             return inputs | {f"{side}.{name}": sign * value for side in SIDES}
         kind, _, phase = test.partition("-")
         name = {"lateral": "patch_y", "aligning": "moment_z"}[kind]
