@@ -244,9 +244,10 @@ def read_heading(name: str, unit: str = "") -> Heading | None:
     Heading(quantity='camber', wheel='left', axle='front', unit='deg')
     >>> read_heading("Fy Left N"), read_heading("Handwheel Angle").quantity, read_heading("Sturz links").wheel
     (Heading(quantity='lateral_force', wheel='left', axle='', unit='N'), 'handwheel_angle', 'left')
+    >>> read_heading("left.toe", "rad").wheel
+    'left'
     """
-    text = name.rpartition(".")[2] if re.fullmatch(r"[\w.]+", name) else name
-    words = _words(text)
+    words = _words(_own_part(name))
     if not unit and len(words) > 1 and words[-1] in _UNIT_WORDS:
         inner = read_heading(" ".join(words[:-1]), words[-1])
         if inner is not None and _fits(inner):
@@ -269,6 +270,14 @@ def read_heading(name: str, unit: str = "") -> Heading | None:
     is_front, is_rear = bool(_FRONT & {*plain}), bool(_REAR & {*plain})
     axle = "" if is_front == is_rear else "front" if is_front else "rear"
     return Heading(quantity, _side(is_left, is_right), axle, unit)
+
+
+def _own_part(name: str) -> str:
+    """Return a heading without the names of structs before it, but with its wheel."""
+    if not re.fullmatch(r"[\w.]+", name):
+        return name
+    *above, own = name.split(".")
+    return f"{above[-1]} {own}" if above and above[-1] in ("left", "right") else own
 
 
 def _words(text: str) -> list[str]:

@@ -29,6 +29,7 @@ SIDES = ("left", "right")
 Within = float | str | tuple[float | str, float | str]
 _SHARE = 0.5
 """Default range of a fit: half of the test's."""
+_FEWEST = 3  # inputs in that half; the whole range if there are fewer
 
 
 @dataclass(frozen=True)
@@ -398,7 +399,10 @@ def fitted_range(dataset: xr.Dataset, within: Within | None = None) -> tuple[flo
     """Return the ends of the range of a fit, SI: those given, or half of the test's range."""
     sweep = np.asarray(dataset["input"].values, dtype=float)
     if within is None:
-        return _SHARE * float(np.nanmin(sweep)), _SHARE * float(np.nanmax(sweep))
+        low, high = float(np.nanmin(sweep)), float(np.nanmax(sweep))
+        inside = np.unique(sweep[(sweep >= _SHARE * low) & (sweep <= _SHARE * high)])
+        share = _SHARE if inside.size >= _FEWEST else 1.0
+        return share * low, share * high
     unit = str(dataset["input"].attrs.get("units", "1"))
     if isinstance(within, tuple):
         if len(within) != 2:

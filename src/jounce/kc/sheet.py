@@ -22,6 +22,7 @@ from jounce.kc.centres import centres_of
 from jounce.kc.laboratory import Laboratory, axle_of, run_test
 from jounce.kc.overview import CSV_HEADER, KcOverview, Within, kc_overview
 from jounce.kc.tests import TESTS
+from jounce.kc.vocabulary import QUANTITIES, quantity_name
 from jounce.parts import Rig, as_rig
 from jounce.parts.options import AnyRig
 
@@ -90,9 +91,9 @@ class KcTests(Plain):
         from jounce.recordings.writers import netcdf_of
 
         made: dict[str, bytes | str] = {"overview.csv": self.overview.table()}
+        made["kc.nc"] = netcdf_of(together(self.tests))
         for name, dataset in self.tests.items():
             made[f"tests/{name}.csv"] = _csv(dataset)
-            made[f"tests/{name}.nc"] = netcdf_of(dataset)
         if find_spec("openpyxl") is not None:
             made["kc.xlsx"] = self._workbook()
         return made
@@ -103,7 +104,7 @@ class KcTests(Plain):
         rows: list[Sequence[float | str]] = [CSV_HEADER, *self.overview.cells()]
         sheets: dict[str, list[Sequence[float | str]]] = {"overview": rows}
         for name, dataset in self.tests.items():
-            header, values = _columns(dataset)
+            header, values = _columns(dataset, only=QUANTITIES)
             known = np.isfinite(values)
             sheets[name] = [header]
             sheets[name] += [
@@ -113,9 +114,46 @@ class KcTests(Plain):
         return workbook_of(sheets)
 
 
-def _columns(dataset: xr.Dataset) -> tuple[list[str], np.ndarray]:
-    """Return headers with SI units and values (samples, columns) of a test."""
-    names = [str(name) for name in dataset.data_vars if dataset[name].dims == ("sample",)]
+def together(tests: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """Return all tests as one dataset on ``test`` and ``sample``, with NaN where a test has no such quantity."""
+    import xarray as xr
+
+    longest = max(dataset.sizes["sample"] for dataset in tests.values())
+    columns: dict[str, np.ndarray] = {}
+    attributes: dict[str, dict[str, Any]] = {}
+    for k, dataset in enumerate(tests.values()):
+        for name in map(str, ("input", *dataset.data_vars)):
+            values = np.asarray(dataset[name].values, dtype=float)
+            column = columns.setdefault(name, np.full((len(tests), longest), np.nan))
+            column[k, : len(values)] = values
+            attributes.setdefault(name, dict(dataset[name].attrs))
+    units = [str(dataset["input"].attrs["units"]) for dataset in tests.values()]
+    axes = {
+        "test": list(tests),
+        "input": (("test", "sample"), columns.pop("input"), {"long_name": "input of the test"}),
+        "input_unit": ("test", units),
+    }
+    variables = {
+        name: (("test", "sample"), column, attributes[name]) for name, column in columns.items()
+    }
+    first = next(iter(tests.values())).attrs
+    kept = {
+        key: first[key]
+        for key in ("model", "held", "handwheel", "track", "convention")
+        if key in first
+    }
+    return xr.Dataset(variables, axes, kept)
+
+
+def _columns(
+    dataset: xr.Dataset, only: Mapping[str, object] | None = None
+) -> tuple[list[str], np.ndarray]:
+    """Return headers with SI units and values (samples, columns) of a test; of some quantities ``only``."""
+    names = [
+        str(name)
+        for name, variable in dataset.data_vars.items()
+        if variable.dims == ("sample",) and (only is None or quantity_name(str(name)) in only)
+    ]
     columns = [dataset["input"], *(dataset[name] for name in names)]
     header = [
         f"{name} [{column.attrs.get('units', '1')}]"

@@ -41,7 +41,8 @@ if TYPE_CHECKING:
     from jounce.kc.sheet import KcTests
 
 _MANY = 6
-_WIDTH, _HEIGHT = 310, 210
+_CLOSED = 1e-3  # opening of a loop, of its range, below which it is drawn as a line
+_WIDTH, _HEIGHT = 300, 210
 _PANELS = {
     "heights": ("toe", "camber", "caster", "half_track", "wheel_centre_x", "vertical_force", "spin"),
     "roll": ("steer", "camber", "camber_to_ground", "half_track", "vertical_force", ".roll_moment", "spin"),
@@ -108,8 +109,8 @@ def _overview(run: KcTests) -> list[Block]:
         "with the top rearward, displacements forward, left and outward, spin as in rolling forward are positive; a "
         "support angle if the links lift the body (anti-dive, anti-squat; anti-lift is negative)."
     )
-    blocks.append(PageTable("Characteristics", header, tuple(rows), "lllrrrr", note))
-    return [*blocks, *findings_blocks(run.findings)]
+    table = PageTable("Characteristics", header, tuple(rows), "lllrrrr", note)
+    return [*blocks, *findings_blocks(run.findings), table]
 
 
 def _verdict(compared: xr.Dataset) -> str:
@@ -205,18 +206,18 @@ def _test_blocks(run: KcTests, name: str) -> tuple[Block, ...]:
         fitted_range(dataset),
     )
     text = (
-        f"Input: {test.what}, {_range(float(sweep.min()), float(sweep.max()), unit)}; {test.positive} is positive. "
+        f"Input: {test.what}, {_range(float(sweep.min()), float(sweep.max()), unit)}; positive: {test.positive}. "
         f"{len(sweep)} samples. Lines are fitted from {_range(low, high, unit)}."
     )
     blocks: list[Block] = [Paragraph(text)]
     drawing = axle_drawing(run.rig, test)
     if drawing is not None:
-        words = f"A positive input of the test {name}."
+        words = f"Positive input: {test.positive}."
         blocks.append(Chart((drawing,), f"input-{name}", words, words))
     measured = run.measured.get(name)
-    blocks.append(
-        _curves(test, dataset, (low, high), None if measured is None else with_derived(measured))
-    )
+    beside = None if measured is None else with_derived(measured)
+    curves = _curves(test, dataset, (low, high), beside)
+    blocks += [curves] if curves.panels else []
     blocks.append(_slopes(rows))
     if run.compared is not None:
         own = np.flatnonzero(run.compared["test"].values == name)
@@ -247,7 +248,14 @@ def _slopes(rows: list[OverviewRow]) -> PageTable:
         "quantity", "unit", "left", "right", "axle", "ideal joints", "nonlinearity [%]", "hysteresis [%]", "positive",
     )  # fmt: skip
     note = "Shares of the range. Nonlinearity: distance of the curve from the line; hysteresis: opening of the loop."
-    return PageTable("Slopes", header, tuple(cells), "llrrrrrrl", note)
+    kept = [k for k in range(len(header)) if k == 0 or any(row[k] for row in cells)]
+    return PageTable(
+        "Slopes",
+        tuple(header[k] for k in kept),
+        tuple(tuple(row[k] for k in kept) for row in cells),
+        "".join("llrrrrrrl"[k] for k in kept),
+        note,
+    )
 
 
 def _share(value: float | None) -> str:
@@ -265,7 +273,7 @@ def _curves(
             [quantity[1:]] if quantity.startswith(".") else [f"{side}.{quantity}" for side in SIDES]
         )
         names = [name for name in names if name in dataset]
-        if names and any(np.ptp(_settled(dataset[name])) > 0.0 for name in names):
+        if names and any(_extent(_settled(dataset[name])) > 0.0 for name in names):
             shown.append((quantity.lstrip("."), names))
     shown = shown[:_MANY]
     every = [name for _, names in shown for name in names]
@@ -277,10 +285,9 @@ def _curves(
         for name in names:
             side = name.partition(".")[0] if "." in name else "axle"
             role, style = _WHEELS.get(side, ("after", "line"))
-            x = np.asarray(dataset["input"].values) * unit.factor
-            series.append(
-                Series(x, _settled(dataset[name]) * own.factor, role, style, side if k == 0 else "")
-            )
+            x, y = _drawn(np.asarray(dataset["input"].values), _settled(dataset[name]))
+            label = side if k == 0 else ""
+            series.append(Series(x * unit.factor, y * own.factor, role, style, label))
             if measured is not None and name in measured:
                 at = np.asarray(measured["input"].values) * unit.factor
                 values = np.asarray(measured[name].values) * own.factor
@@ -288,7 +295,7 @@ def _curves(
                 series.append(
                     Series(at, values, role, "rings" if side != "right" else "crosses", label)
                 )
-        for name in names:
+        for name in names if quantity != "toe_out" else ():
             assert fits is not None
             fit = fits.sel(quantity=name)
             line = np.array(ends)
@@ -311,6 +318,19 @@ def _curves(
     if measured is not None:
         words = f"{words} Rings and crosses: measured, left and right."
     return Chart(tuple(panels), f"curves-{test.name}", words, words, columns=3)
+
+
+def _drawn(sweep: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return a curve as it is drawn: as a loop, or once if its branches agree, so that dashes stay dashes."""
+    x, first, back = np.unique(sweep, return_index=True, return_inverse=True)
+    opening = np.nanmax(np.abs(values - values[first][back]), initial=0.0)
+    closed = opening <= _CLOSED * _extent(values)
+    return (x, values[first]) if closed else (sweep, values)
+
+
+def _extent(values: np.ndarray) -> float:
+    known = values[np.isfinite(values)]
+    return float(np.ptp(known)) if known.size else 0.0
 
 
 def _settled(variable: xr.DataArray) -> np.ndarray:
