@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from exchange_rows import exchange_rows
 from inspection_rows import inspection_rows
+from kc_rows import kc_rows
 from kinematic_design import kinematic_design_rows
 from laboratory_rows import laboratory_rows
 from mechanism_rows import mechanism_rows
@@ -159,6 +160,7 @@ PARTS = (
     obstacle_rows,
     linear_rows,
     mechanism_rows,
+    kc_rows,
     kinematic_design_rows,
     vehicle_rows,
     ride_rows,

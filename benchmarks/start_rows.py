@@ -44,6 +44,10 @@ COLD = {
         "≤ 6 s",
     ),
     "jounce kinematics": (["kinematics", CORNER, "--travel", "-80 mm:80 mm:4 mm"], "≤ 6 s"),
+    "jounce kc, all tests and their sheet": (
+        ["kc", "double-wishbone-elastic", "--out", "kc"],
+        "≤ 10 s",
+    ),
     "jounce simulate of the full car on 3-D corners": (["simulate", CAR, *DRIVEN], "≤ 6 s"),
     "jounce demo": (["demo", "--out", "demo"], "≤ 40 s"),
 }

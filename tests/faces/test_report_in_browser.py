@@ -25,6 +25,7 @@ from jounce.report import (
     write_campaign,
     write_page,
 )
+from jounce.report.kc import kc_page
 from jounce.report.live import Curve, Pane, Viewer, ViewerScene
 from jounce.report.papers import audi_case_page
 
@@ -148,6 +149,33 @@ def test_a_campaign_s_report_is_zoomed_and_played(
         return pixels.filter((value, i) => i % 4 === 3 && value > 0).length / (width * height); }"""
     )
     assert 0.05 < painted < 0.9
+    opened.close()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_a_kc_sheet_has_its_overview_first_and_a_page_for_each_test(
+    browser: Any, tmp_path: Path, width: int, scheme: str
+) -> None:
+    sheet = jn.kc_sheet("double-wishbone-elastic", ["bounce", "steer", "lateral-opposed"], points=9)
+    file = tmp_path / "sheet.html"
+    REPORTS.write(kc_page(sheet, title="K&C <b>front</b>"), file)
+    opened = Opened(browser, file, width, scheme)
+    page = opened.page
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert page.locator("h1").inner_text() == "K&C <b>front</b>"
+    headings = page.locator("h2").all_inner_texts()
+    assert headings == ["Overview", "Bounce", "Steer", "Lateral, opposed", "Axle", "Conditions"]
+    first = page.locator("#overview tbody tr").first.inner_text()
+    assert "N/mm" in first
+    charts = page.locator("#bounce svg.chart")
+    assert charts.count() == 7  # the drawing and six curves
+    lefts = [charts.nth(k).bounding_box()["x"] for k in range(1, 7)]
+    assert len({round(x) for x in lefts}) == (3 if width > 1000 else 1)
+    assert page.locator("#bounce path.l.dotted").count() >= 6  # fitted lines
+    page.emulate_media(media="print")
+    start = page.locator("#steer").evaluate("one => getComputedStyle(one).breakBefore")
+    assert start == "page"
     opened.close()
 
 
