@@ -14,6 +14,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.kernel.arrays import Block, IntegerMatrix, Integers, Matrix, Vector
 from jounce.kernel.call import Loop
@@ -101,11 +102,16 @@ class Seeds(NamedTuple):
 
 
 class Space(NamedTuple):
-    """Scratch: matrix, right-hand sides, pivots, poses, multipliers, slipped deflections, work."""
+    """Scratch: matrix, its factors in an ``order`` that keeps zeros, right-hand sides, poses, multipliers."""
 
     matrix: Matrix
-    right: Matrix
+    factors: Matrix
+    order: Integers
     pivots: Integers
+    filled: Integers
+    right: Matrix
+    ordered: Matrix
+    change: Vector
     pose: Matrix
     multipliers: Matrix
     slipped: Matrix
@@ -148,13 +154,48 @@ def settle(
     )
     space = Space(
         np.zeros((n, n)),
-        np.zeros((n, 1 + parameters)),
+        np.zeros((n, n)),
+        elimination_order(assembly, bodies, n - controls, n),
         np.zeros(n, dtype=np.int64),
-        np.concatenate([pose, pose, pose]),
-        np.stack([before] * 3),
+        np.zeros(n, dtype=np.int64),
+        np.zeros((n, 1 + parameters)),
+        np.zeros((n, 1 + parameters)),
+        np.zeros(n),
+        np.concatenate([pose] * 4),
+        np.stack([before] * 4),
         np.concatenate([slipped, slipped]),
         np.zeros(controls + path.loads.shape[1]),
         np.zeros((12, 12)),
     )
     _settle(assembly, path, seeds, settled, space)
     return settled, space
+
+
+def elimination_order(
+    assembly: Assembly, bodies: int, first_control: int, count: int
+) -> NDArray[np.int64]:
+    """Return the order in which the unknowns are eliminated: of the least connected first, controls last.
+
+    Unknowns of a body stay together, and so do those of a constraint.
+    """
+    groups = [list(range(6 * body, 6 * body + 6)) for body in range(bodies)]
+    links: list[set[int]] = [set() for _ in groups]
+    for kind, first, second, row in assembly.kinds[:, :4].tolist():
+        ends = {body for body in (first, second) if body >= 0}
+        if row >= 0:
+            ends.add(len(groups))
+            groups.append([6 * bodies + row + i for i in range(ROWS[kind])])
+            links.append(set())
+        for end in ends:
+            links[end] |= ends - {end}
+    order: list[int] = []
+    left = set(range(len(groups)))
+    while left:
+        # A constraint has no stiffness of its own: one of its bodies comes before it.
+        ready = [g for g in left if g < bodies or any(other not in left for other in links[g])]
+        chosen = min(ready or left, key=lambda g: (sum(len(groups[o]) for o in links[g] & left), g))
+        left.remove(chosen)
+        order += groups[chosen]
+        for other in links[chosen] & left:
+            links[other] |= links[chosen] - {other}
+    return np.array([*order, *range(first_control, count)], dtype=np.int64)

@@ -53,14 +53,16 @@ from jounce.kernel.loops.compiling import part
 
 Triple = tuple[float, float, float]
 _SCALE = 1e6  # N/m: makes rows and columns of constraints as large as those of stiff joints
-_ITERATIONS = 25
+_ITERATIONS = 60
 _FRESH = 1e-8  # m, rad: change after which a step with the exact matrix is exact
 _KEPT = 1e-12  # the same with a matrix of a pose nearby
 _SLOW = 0.03  # ratio of two changes above which the matrix is formed again
+_LEAST = 1.0 / 32.0  # share of a step
 _LARGEST = 0.5  # m, rad: a change that no mechanism makes in a step
 _SHORTEST = 1.0 / 512.0  # of a step
 _SMALLEST = 1e-13  # pivot, as a share of the largest: rounding
 _ORTHOGONAL = 20  # iterations; two after small steps. What is left would deform a body for good
+_TAKEN = 0.01  # of the largest entry of its column: the least that is taken as a pivot
 _FLAT = 1e-4  # rad: rotation below which a series is exact
 
 
@@ -711,7 +713,7 @@ def _control(
 
 @part()
 def _bodies(space: Any) -> int:
-    return len(space.pose) // 3
+    return len(space.pose) // 4
 
 
 @part()
@@ -752,85 +754,122 @@ def _form(
 
 @part()
 def _factor(space: Any) -> bool:
-    """Factor the matrix by rows, leaving out zeros; return False if it is singular."""
-    matrix, pivots = space.matrix, space.pivots
+    """Factor the matrix in the given order, without zeros; return False if it is singular.
+
+    A pivot from the diagonal is taken where it is not small in its column: it keeps the order, and so the zeros.
+    """
+    matrix, pivots, order, filled = space.factors, space.pivots, space.order, space.filled
     n, largest = len(matrix), 0.0
     for i in range(n):
         for j in range(n):
+            matrix[i, j] = space.matrix[order[i], order[j]]
             largest = max(largest, abs(matrix[i, j]))
     for k in range(n):
         best, chosen = abs(matrix[k, k]), k
         for i in range(k + 1, n):
             if abs(matrix[i, k]) > best:
                 best, chosen = abs(matrix[i, k]), i
+        if abs(matrix[k, k]) >= _TAKEN * best:
+            chosen = k
         pivots[k] = chosen
         if not best > _SMALLEST * largest:
             return False
         if chosen != k:
             for j in range(n):
                 matrix[k, j], matrix[chosen, j] = matrix[chosen, j], matrix[k, j]
-        inverse = 1.0 / matrix[k, k]
+        inverse, count = 1.0 / matrix[k, k], 0
+        for j in range(k + 1, n):
+            if matrix[k, j] != 0.0:
+                filled[count] = j
+                count += 1
         for i in range(k + 1, n):
             if matrix[i, k] != 0.0:
                 share = matrix[i, k] * inverse
                 matrix[i, k] = share
-                for j in range(k + 1, n):
-                    matrix[i, j] -= share * matrix[k, j]
+                for at in range(count):
+                    matrix[i, filled[at]] -= share * matrix[k, filled[at]]
     return True
 
 
 @part()
 def _solve(space: Any, first: int, last: int) -> None:
     """Solve for right-hand sides ``first`` to ``last`` in place."""
-    matrix, pivots, right = space.matrix, space.pivots, space.right
-    n = len(matrix)
+    matrix, pivots, order, right = space.factors, space.pivots, space.order, space.right
+    ordered, n = space.ordered, len(space.factors)
+    for i in range(n):
+        for j in range(first, last):
+            ordered[i, j] = right[order[i], j]
     for k in range(n):
         chosen = pivots[k]
         if chosen != k:
             for j in range(first, last):
-                right[k, j], right[chosen, j] = right[chosen, j], right[k, j]
+                ordered[k, j], ordered[chosen, j] = ordered[chosen, j], ordered[k, j]
     for i in range(n):
         for k in range(i):
             if matrix[i, k] != 0.0:
                 for j in range(first, last):
-                    right[i, j] -= matrix[i, k] * right[k, j]
+                    ordered[i, j] -= matrix[i, k] * ordered[k, j]
     for i in range(n - 1, -1, -1):
         for k in range(i + 1, n):
             if matrix[i, k] != 0.0:
                 for j in range(first, last):
-                    right[i, j] -= matrix[i, k] * right[k, j]
+                    ordered[i, j] -= matrix[i, k] * ordered[k, j]
         for j in range(first, last):
-            right[i, j] /= matrix[i, i]
+            ordered[i, j] /= matrix[i, i]
+            right[order[i], j] = ordered[i, j]
 
 
 @part()
 def _newton(assembly: Any, path: Any, settled: Any, space: Any, step: int) -> int:
     """Settle the current pose under the loads in ``now``."""
-    bodies = _bodies(space)
-    fresh, last = True, np.inf
-    for _ in range(_ITERATIONS):
-        _form(assembly, path, settled, space, step, fresh, -1)
+    n = len(space.right)
+    fresh, last, before, share = True, np.inf, np.inf, 1.0
+    for iteration in range(_ITERATIONS):
+        _form(assembly, path, settled, space, step, fresh and iteration == 0, -1)
+        residual = 0.0
+        for i in range(n):
+            residual = max(residual, abs(space.right[i, 0]))
+        if residual > before and last > _FRESH and share > _LEAST:
+            # At kinks of laws and of dry friction a whole step may lead from one side to the other and back.
+            share *= 0.5
+            _copy(space, 3, 0)
+            _advance(space, share)
+            continue
+        if fresh and iteration > 0:
+            _form(assembly, path, settled, space, step, True, -1)
         if fresh and not _factor(space):
             return SINGULAR
         _solve(space, 0, 1)
         change = 0.0
-        for i in range(6 * bodies):
-            change = max(change, abs(space.right[i, 0]))
+        for i in range(n):
+            space.change[i] = space.right[i, 0]
+            if i < 6 * _bodies(space):
+                change = max(change, abs(space.right[i, 0]))
         if not change < _LARGEST:
             return NO_EQUILIBRIUM
-        for body in range(bodies):
-            i = 6 * body
-            right = space.right
-            v = (right[i, 0], right[i + 1, 0], right[i + 2, 0])
-            w = (right[i + 3, 0], right[i + 4, 0], right[i + 5, 0])
-            _move(space.pose, body, v, w)
-        for i in range(6 * bodies, len(space.right)):
-            space.multipliers[0, i - 6 * bodies] += _SCALE * space.right[i, 0]
+        _copy(space, 0, 3)
+        _advance(space, 1.0)
         if change < (_FRESH if fresh else _KEPT):
             return SETTLED
         fresh = change > _SLOW * last if not fresh else change > 1e-3
-        last = change
+        last, before, share = change, residual, 1.0
     return NO_EQUILIBRIUM
+
+
+@part()
+def _advance(space: Any, share: float) -> None:
+    """Make a share of the change of the last solution."""
+    change, bodies = space.change, _bodies(space)
+    for body in range(bodies):
+        i = 6 * body
+        _move(
+            space.pose,
+            body,
+            _times(share, (change[i], change[i + 1], change[i + 2])),
+            _times(share, (change[i + 3], change[i + 4], change[i + 5])),
+        )
+    for i in range(6 * bodies, len(change)):
+        space.multipliers[0, i - 6 * bodies] += share * _SCALE * change[i]
 
 
 @part()
@@ -865,7 +904,7 @@ def _drag(space: Any, element: int, i: int, x: float, reach: float) -> None:
 
 @part()
 def _copy(space: Any, source: int, target: int) -> None:
-    """Copy pose and multipliers: 0 the current, 1 the last settled, 2 the one before."""
+    """Copy pose and multipliers: 0 the current, 1 the last settled, 2 the one before, 3 before a step of Newton's."""
     bodies = _bodies(space)
     for body in range(bodies):
         for i in range(12):
