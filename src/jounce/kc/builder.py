@@ -304,8 +304,9 @@ class AxleBuilder(ABC):
                 for i in range(3):
                     if (first, i) != (3, 1):  # the wheel's spin is held
                         six[first + i] = self.number(f"bearing.{key}[{i}]")
-        outward = axis * (1.0 if self.side == "left" else -1.0)
-        axes = np.stack([ahead, outward, up])
+        axes = np.stack(
+            [ahead, axis, up]
+        )  # on both sides outward: one is the mirror image of the other
         self.assembly.bushing(label, upright, wheel, centre, stiffness=np.stack(six), axes=axes)
         if bearing.stiffness is None:
             self.assembly.ball(label, upright, wheel, centre)

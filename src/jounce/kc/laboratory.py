@@ -184,7 +184,7 @@ class Laboratory:
             findings.append(
                 finding("kc.no_equilibrium_beyond", test.name, last, last=f"{last:.4g} {test.unit}")
             )
-        return Poses(self, settled, path), findings
+        return Poses(self.axle, settled, path), findings
 
     def _failure(self, what: str) -> SimulationError:
         """Return the error for a state without equilibrium; it names a motion that nothing holds."""

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from jounce.core.types import Array
 from jounce.kc.assembly import GROUND, Element, Numbers
-from jounce.kc.builder import SIDES
+from jounce.kc.builder import SIDES, AxleBuilder
 from jounce.kernel import equilibrium as eq
-
-if TYPE_CHECKING:
-    from jounce.kc.laboratory import Laboratory
 
 _DIRECTIONS = ("force_x", "force_y", "force_z", "torque_x", "torque_y", "torque_z")
 ANGLES = {
@@ -32,7 +29,7 @@ _AXES = (("x", "forward"), ("y", "to the left"), ("z", "up"))
 class Poses:
     """Settled samples of a test."""
 
-    laboratory: Laboratory
+    axle: AxleBuilder
     settled: eq.Settled
     path: eq.Path
 
@@ -42,13 +39,14 @@ class Poses:
 
     def multipliers(self, element: int) -> Array:
         """Multipliers of a constraint, shape (samples, rows)."""
-        assembly = self.laboratory.axle.assembly
+        assembly = self.axle.assembly
         first, count = assembly.order()[element], eq.ROWS[assembly.elements[element].kind]
         return self.settled.multipliers[:, first : first + count]
 
     def control_force(self, name: str) -> Array:
         """Force that a control exerts, N."""
-        place = self.laboratory.multipliers + self.laboratory.controls.index(name)
+        assembly = self.axle.assembly
+        place = assembly.order()[-1] + [control for control, *_ in assembly.controls].index(name)
         return self.settled.multipliers[:, place]
 
 
@@ -134,7 +132,7 @@ def caster_of(lower: Numbers, upper: Numbers) -> Numbers:
 
 def quantities(poses: Poses) -> dict[str, xr.Variable]:
     """Return all quantities of a test as variables on ``sample``."""
-    axle, places = poses.laboratory.axle, poses.places()
+    axle, places = poses.axle, poses.places()
     out: dict[str, xr.Variable] = {}
 
     def keep(name: str, values: Array, unit: str, label: str, positive: str = "") -> None:
@@ -196,7 +194,7 @@ def _keep_handwheel(poses: Poses, travel: Array, keep: Any) -> None:
     """Keep angle and torque of the handwheel for a travel (m) of what it drives, if the rack's ratio is known."""
     from jounce.kinematics.column import handwheel_angle, pinion_angle
 
-    steering = getattr(poses.laboratory.rig, "steering", None)
+    steering = getattr(poses.axle.rig, "steering", None)
     if steering is None or steering.rack_ratio is None:
         return
     angle = np.full_like(travel, np.nan)
@@ -224,7 +222,7 @@ def _keep_road(poses: Poses, k: int, side: str, keep: Any) -> None:
 
 def _keep_elements(poses: Poses, keep: Any) -> None:
     """Keep forces of springs, links and bushings."""
-    assembly = poses.laboratory.axle.assembly
+    assembly = poses.axle.assembly
     forces = poses.settled.forces.reshape(len(poses.settled.forces), -1, 6)
     for i, element in enumerate(assembly.elements):
         name = element.name

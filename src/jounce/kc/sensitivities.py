@@ -169,7 +169,7 @@ def _of_test(
     own = laboratory.multipliers + len(laboratory.controls)
     settled = tangent.settled._replace(multipliers=tangent.settled.multipliers[:, :own])
     settled = settled._replace(**{part: getattr(settled, part)[place] for part in SETTLED})
-    values = quantities(Poses(laboratory, settled, path))
+    values = quantities(Poses(laboratory.axle, settled, path))
     if wanted is None:
         wanted = [name for name in values if not is_of_bushing(name)]
     for name in wanted:

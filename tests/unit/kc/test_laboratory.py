@@ -170,6 +170,25 @@ def _one(rig: jn.Rig, path: str, value: float) -> dict:
     return {name: [value if k == int(i) else old for k, old in enumerate(part)]}
 
 
+def test_coarse_and_fine_loops_stay_on_one_branch() -> None:
+    """Steered far, a rod may also be assembled the other way round: no step may jump there."""
+    rig = jn.load("formula-student-front")
+    coarse, fine = (
+        jn.kc_test(rig, "steer", steer="15 mm", to="25 mm", points=points) for points in (9, 161)
+    )
+    assert coarse["left.steer"].values == pytest.approx(fine["left.steer"].values[::20], abs=1e-10)
+    assert coarse["left.steer"].values[0] == pytest.approx(
+        coarse["left.steer"].values[-1], abs=1e-10
+    )
+
+
+@pytest.mark.parametrize("name", ["double-wishbone-elastic", "mcpherson-elastic"])
+def test_axles_with_all_compliance_and_friction_do_every_test(name: str) -> None:
+    for test in jn.kc_tests(jn.load(name)).values():
+        assert np.isfinite(test["left.toe"].values).all()
+        assert not test.attrs["findings"]
+
+
 def test_a_loose_motion_is_named() -> None:
     rig = soft(points=("lower_arm_front", "lower_arm_rear"), stiffness=["0 N/m", "0 N/m", "0 N/m"])
     with pytest.raises(SimulationError, match=r"not held: (left|right)\."):

@@ -58,6 +58,7 @@ _FRESH = 1e-8  # m, rad: change after which a step with the exact matrix is exac
 _KEPT = 1e-12  # the same with a matrix of a pose nearby
 _SLOW = 0.03  # ratio of two changes above which the matrix is formed again
 _LEAST = 1.0 / 32.0  # share of a step
+_FARTHEST = 0.04  # m, rad: change of a pose in a step, which keeps it on its branch
 _LARGEST = 0.5  # m, rad: a change that no mechanism makes in a step
 _SHORTEST = 1.0 / 512.0  # of a step
 _SMALLEST = 1e-13  # pivot, as a share of the largest: rounding
@@ -914,6 +915,25 @@ def _copy(space: Any, source: int, target: int) -> None:
 
 
 @part()
+def _way(space: Any) -> float:
+    """Return the largest change of a body's place (m) or direction from the last settled pose."""
+    bodies, way = _bodies(space), 0.0
+    for body in range(bodies):
+        for i in range(12):
+            way = max(way, abs(space.pose[body, i] - space.pose[bodies + body, i]))
+    return way
+
+
+@part()
+def _near(assembly: Any, path: Any, settled: Any, space: Any, step: int) -> int:
+    """Settle the current pose, and refuse one that is far from the last: it may belong to another branch."""
+    outcome = _newton(assembly, path, settled, space, step)
+    return (
+        NO_EQUILIBRIUM if outcome == SETTLED and step > 0 and _way(space) > _FARTHEST else outcome
+    )
+
+
+@part()
 def _predict(space: Any, ratio: float) -> None:
     """Extrapolate from the two poses before, by a ratio of step sizes."""
     bodies = _bodies(space)
@@ -951,10 +971,10 @@ def follow(assembly: Assembly, path: Path, seeds: Seeds, settled: Settled, space
         while done < 1.0:
             _now(path, space, step, done + share)
             _predict(space, share / gone if gone > 0.0 else 0.0)
-            outcome = _newton(assembly, path, settled, space, step)
+            outcome = _near(assembly, path, settled, space, step)
             if outcome != SETTLED and gone > 0.0:
                 _copy(space, 1, 0)
-                outcome = _newton(assembly, path, settled, space, step)
+                outcome = _near(assembly, path, settled, space, step)
             if outcome != SETTLED:
                 _copy(space, 1, 0)
                 share *= 0.5
