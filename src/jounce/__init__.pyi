@@ -108,6 +108,8 @@ from .identify.doubt import Doubt as Doubt
 from .identify.fit_problem import FitTrial as FitTrial
 from .identify.force_deflection import ForceDeflectionTrial as ForceDeflectionTrial
 from .identify.hysteresis_path import bouc_wen_path as bouc_wen_path
+from .identify.kc_update import KcUpdate as KcUpdate
+from .identify.kc_update import update_kc as update_kc
 from .identify.next_trial import Candidate as Candidate
 from .identify.next_trial import next_trials as next_trials
 from .identify.passages import Passages as Passages

@@ -41,7 +41,7 @@ def check_parameters(rig: Rig, parameters: Sequence[str] | None) -> tuple[str, .
         return known
     names: list[str] = []
     for path in parameters:
-        parts = [name for name in known if name.startswith(f"{path}[")]
+        parts = [name for name in known if name.startswith((f"{path}[", f"{path}."))]
         if path in known:
             names.append(path)
         elif parts:
