@@ -308,7 +308,7 @@ class _Model:
         own = laboratory.multipliers + len(laboratory.controls)
         settled = tangent.settled._replace(multipliers=tangent.settled.multipliers[:, :own])
         settled = settled._replace(**{part: getattr(settled, part)[place] for part in SETTLED})
-        values = quantities_of(Poses(laboratory, settled, path))
+        values = quantities_of(Poses(laboratory.axle, settled, path))
         slopes = tangents.slopes(tangent, wanted)
         return {name: values[name] for name in wanted}, {
             n: rows[place] for n, rows in slopes.items()
@@ -376,7 +376,9 @@ def _known(tangents: Tangents, kind: Any) -> list[str]:
     settled = settled._replace(multipliers=settled.multipliers[:, :count])
     where = tangents.laboratory.path(kind, np.zeros(1), "height", "locked", 0.0)
     return [
-        name for name in quantities_of(Poses(tangents.laboratory, settled, where)) if name in own
+        name
+        for name in quantities_of(Poses(tangents.laboratory.axle, settled, where))
+        if name in own
     ]
 
 
