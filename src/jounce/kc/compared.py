@@ -144,7 +144,7 @@ def _compare_test(
     findings: list[Finding],
 ) -> list[dict[str, Any]]:
     unit = str(theirs["input"].attrs.get("units", "1"))
-    inputs = _same_inputs(ours, theirs)
+    inputs = same_inputs(ours, theirs)
     if inputs is None:
         other = str(ours["input"].attrs.get("units", "1"))
         findings.append(finding("kc.other_input", test, unit=unit, other=other))
@@ -188,7 +188,7 @@ def _compare_test(
     return rows
 
 
-def _same_inputs(ours: xr.Dataset, theirs: xr.Dataset) -> tuple[Array, Array] | None:
+def same_inputs(ours: xr.Dataset, theirs: xr.Dataset) -> tuple[Array, Array] | None:
     """Return what both tests are compared over, in the unit of the measured input; None if the model has no value.
 
     Pads also deflect the tyre, which the model takes as rigid: travels of the wheel centre count if both have them.

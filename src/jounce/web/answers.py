@@ -55,20 +55,24 @@ _STEP, _MOST_STEPS = 1e-3, 200_000  # s between samples; maximum samples of an i
 class CurvesAnswer:
     """Curves for the page, with equivalent ``python`` code, ``command``, and the ``files`` it needs."""
 
-    viewer: Viewer
+    viewer: Viewer | None
     equivalents: Mapping[str, Any]
+
+    @property
+    def _viewers(self) -> list[Viewer]:
+        return [] if self.viewer is None else [self.viewer]
 
     def plain(self) -> dict[str, Any]:
         """Return the response as JSON, for scripts."""
         from jounce.report.live import live_data
 
-        return {**live_data([self.viewer]), **self.equivalents}
+        return {**live_data(self._viewers), **self.equivalents}
 
     def straight(self) -> bytes:
         """Return the response as binary numbers that the page draws directly."""
         from jounce.report.live import live_bytes
 
-        return live_bytes([self.viewer], self.equivalents)
+        return live_bytes(self._viewers, self.equivalents)
 
 
 def rig_of(project: Project, name: str) -> Rig:
@@ -125,6 +129,7 @@ def describe_rig(rig: Rig, name: str) -> dict[str, Any]:
     from jounce.core.serialise import to_plain
     from jounce.design.variables import design_variables, is_constant
     from jounce.parts import rig_findings
+    from jounce.parts.axles import DependentAxle
     from jounce.parts.rig import unit_of
 
     numbers, chosen = [], design_variables(rig)
@@ -147,6 +152,7 @@ def describe_rig(rig: Rig, name: str) -> dict[str, Any]:
         "model": getattr(rig, "model", type(rig).__name__),
         "digest": digest_of(rig),
         "spatial": _is_spatial(rig),
+        "is_dependent": isinstance(rig, DependentAxle),
         "numbers": numbers,
         "findings": to_plain(rig_findings(rig)),
     }
@@ -446,4 +452,7 @@ def arguments(given: Mapping[str, Any], before: str = "") -> str:
 
 
 def _is_spatial(rig: Rig) -> bool:
-    return hasattr(rig, "hardpoints")
+    """Whether a rig is a corner whose poses can be swept."""
+    from jounce.parts import Corner
+
+    return isinstance(rig, Corner)

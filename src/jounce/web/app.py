@@ -21,14 +21,23 @@ from jounce.core.optional import require
 from jounce.core.phrases import german_of
 from jounce.core.serialise import to_plain
 from jounce.core.units import Unit
-from jounce.web import answers, comparing, forms, sweeps
+from jounce.web import answers, comparing, forms, laboratory, sweeps
 from jounce.web import kept as history
 from jounce.web.assets import Asset, assets
 from jounce.web.bodies import Route
 from jounce.web.data_page import data_routes
 from jounce.web.exports import APART, DOCUMENT, KINDS, Exported, exported, file_name
 from jounce.web.jobs import Jobs, without_options
-from jounce.web.project import LONGEST, Entry, Project, Text, Version, unusable
+from jounce.web.project import (
+    LONGEST,
+    Entry,
+    Project,
+    Text,
+    Version,
+    has_axle,
+    has_hardpoints,
+    unusable,
+)
 from jounce.web.records import Records
 from jounce.web.safety import EXPORT, Guard, seal_address
 from jounce.web.tasks import JobSpec
@@ -179,6 +188,26 @@ class SweepRequest(Changed):
 _SOON = 3.0  # s: the first page does not wait for the process that works for the page
 
 
+class LaboratoryRequest(Changed):
+    """Tests on the K&C rig: the open ``test``, and with ``overview`` as many others as are fast enough.
+
+    ``to`` and ``within`` are ends of ranges and ranges of fits by test, with units; ``axle`` is that of a car.
+    ``measured`` are files of a measured sheet; ``loads`` adds forces of links and bushings to the curves.
+    """
+
+    test: str = "bounce"
+    axle: Literal["", "front", "rear"] = ""
+    to: dict[str, str] = Field(default_factory=dict, max_length=20)
+    within: dict[str, str] = Field(default_factory=dict, max_length=20)
+    travel: str = ""
+    steer: str = ""
+    held: Literal["load", "height"] = "load"
+    handwheel: Literal["locked", "free"] = "locked"
+    measured: list[str] = Field(default_factory=list, max_length=20)
+    overview: bool = False
+    loads: bool = False
+
+
 def create_app(
     folder: Path | str, *, token: str, port: int, ready: Callable[[], None] = lambda: None
 ) -> Guard:
@@ -265,7 +294,8 @@ def create_app(
                 "name": name,
                 "model": str(table["model"]),
                 "source": str(table.get("source", "")),
-                "has_hardpoints": "hardpoints" in table,
+                "has_hardpoints": has_hardpoints(table),
+                "has_axle": has_axle(table),
             }
             for name, table in tables.items()
         ]
@@ -412,6 +442,12 @@ def create_app(
         return _curves_response(
             sweeps.swept(project, sweeps.Question(**asked.model_dump())), request
         )
+
+    @app.post("/api/kc")
+    def tests(asked: LaboratoryRequest, request: Request) -> Response:
+        """Return curves of one test on the K&C rig, and an overview of the tests that were run."""
+        question = laboratory.Question(**asked.model_dump(exclude={"channels"}))
+        return _curves_response(laboratory.run_tests(project, question), request)
 
     app.include_router(routes(project, jobs, seal))
     app.include_router(data_routes(project, jobs, records))

@@ -7,12 +7,13 @@ import os
 import re
 import time
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from stat import S_ISDIR, S_ISREG
+from typing import Any
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import State, content_of, state_of
@@ -51,7 +52,7 @@ class Entry:
     """One file of a project: path in the folder, kind, and modification time (s since 1970).
 
     A sweep is one entry: its folder, with the number of ``finished`` shards and the total ``count``. A rig with
-    ``has_hardpoints`` supports kinematic sweeps.
+    ``has_hardpoints`` supports kinematic sweeps, a rig or vehicle that ``has_axle`` can be tested on the K&C rig.
     """
 
     path: str
@@ -61,6 +62,7 @@ class Entry:
     finished: int | None = None
     count: int | None = None
     has_hardpoints: bool = False
+    has_axle: bool = False
 
 
 @dataclass(frozen=True)
@@ -137,9 +139,17 @@ class Project:
                 if kind and not (kind == "results" and file.parent in swept):
                     state = file.stat()
                     path = file.relative_to(self.root).as_posix()
-                    is_spatial = kind == "rig" and _has_hardpoints(file, state_of(file))
+                    is_rig = kind in ("rig", "vehicle")
+                    table = _model_of(file, state_of(file)) if is_rig else {}
                     entries.append(
-                        Entry(path, kind, state.st_size, state.st_mtime, has_hardpoints=is_spatial)
+                        Entry(
+                            path,
+                            kind,
+                            state.st_size,
+                            state.st_mtime,
+                            has_hardpoints=has_hardpoints(table),
+                            has_axle=has_axle(table),
+                        )
                     )
             if len(entries) == _MOST:
                 break
@@ -342,15 +352,27 @@ def _kind(file: Path) -> str:
     return "results" if _is_written(file) else "record"
 
 
+def has_hardpoints(table: Mapping[str, Any]) -> bool:
+    """Whether a rig is a corner with hardpoints, whose kinematics can be swept."""
+    return "hardpoints" in table and table.get("model") not in _DEPENDENT
+
+
+def has_axle(table: Mapping[str, Any]) -> bool:
+    """Whether a rig or vehicle can be tested on the K&C rig."""
+    return "hardpoints" in table or table.get("model") == "full-car-3d"
+
+
+_DEPENDENT = ("solid-axle", "twist-beam")
+
+
 @lru_cache(256)
-def _has_hardpoints(file: Path, state: State) -> bool:
-    """Whether the text of a rig contains hardpoints, in the given state of the file."""
+def _model_of(file: Path, state: State) -> Mapping[str, Any]:
+    """Return the model of a rig, and its hardpoints if it has some, in the given state of the file."""
     try:
-        return state[1] <= LONGEST and "hardpoints" in tomllib.loads(
-            file.read_text(encoding="utf-8-sig")
-        )
+        table = tomllib.loads(file.read_text(encoding="utf-8-sig")) if state[1] <= LONGEST else {}
     except (OSError, ValueError, RecursionError):
-        return False
+        return {}
+    return {key: table[key] for key in ("model", "hardpoints") if key in table}
 
 
 def _is_table(file: Path) -> bool:

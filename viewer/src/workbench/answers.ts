@@ -8,6 +8,7 @@ export interface Entry {
   finished: number | null;
   count: number | null;
   has_hardpoints: boolean;
+  has_axle: boolean;
 }
 
 export interface Text {

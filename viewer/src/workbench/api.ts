@@ -37,6 +37,8 @@ export interface Rig {
   model: string;
   digest: string;
   spatial: boolean;
+  /** Two wheels on one beam: only the K&C rig takes it. */
+  is_dependent: boolean;
   numbers: RigNumber[];
   findings: { place: string; severity: string; message: string }[];
 }
@@ -121,6 +123,7 @@ export interface Shipped {
   model: string;
   source: string;
   has_hardpoints: boolean;
+  has_axle: boolean;
 }
 export const library = () => get<Shipped[]>("/api/library");
 export const file = (path: string) => get<answers.Text>(`/api/file?${query({ path })}`);
@@ -178,5 +181,5 @@ export const binary = async (path: string, body: unknown) =>
 export const upload = async (path: string, file: File): Promise<void> => {
   await sent(`/api/upload?${query({ path })}`, { method: "PUT", body: file });
 };
-export const curves = (question: "simulate" | "kinematics", body: unknown) =>
+export const curves = (question: "simulate" | "kinematics" | "kc", body: unknown) =>
   binary(`/api/${question}`, body);

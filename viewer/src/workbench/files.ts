@@ -8,7 +8,7 @@ import type { Entry } from "./api";
 import { announce } from "./dialog";
 import { moment } from "./drafts";
 import { field, select } from "./parts";
-import { address, OPENS } from "./shell";
+import { address, canShow, OPENS } from "./shell";
 import { table } from "./table";
 
 const SORTS: Record<string, (entry: Entry, other: Entry) => number> = {
@@ -61,7 +61,7 @@ function rowOf(entry: Entry): HTMLTableRowElement {
       { class: "links" },
       ...opens
         .slice(1)
-        .filter(([to]) => to !== "kinematics" || entry.has_hardpoints)
+        .filter(([to]) => canShow(to, entry))
         .flatMap(([to, key, words]) => [
           make("a", { href: address(to, { [key]: entry.path }) }, tr(words)),
           " ",

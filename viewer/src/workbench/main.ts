@@ -18,6 +18,7 @@ const PAGES: Record<string, Page> = {
   rig: { label: "Rig", load: () => import("./pages/rig") },
   trial: { label: "Trial", load: () => import("./pages/trial") },
   kinematics: { label: "Kinematics", load: () => import("./pages/kinematics") },
+  kc: { label: "K&C", load: () => import("./pages/kc") },
   record: { label: "Records", load: () => import("./pages/record") },
   data: { label: "Data", load: () => import("./pages/data") },
   campaign: { label: "Campaign", load: () => import("./pages/campaign") },

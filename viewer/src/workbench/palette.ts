@@ -4,7 +4,7 @@ import { make } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import { dialog } from "./dialog";
-import { address, OPENS } from "./shell";
+import { address, canShow, OPENS } from "./shell";
 import { kindOf } from "./shipped";
 
 /** Something that can be gone to or done; `where` says what kind of thing it is. */
@@ -86,7 +86,7 @@ async function everywhere(pages: Record<string, string>): Promise<Goal[]> {
     })),
     ...entries.flatMap((entry) =>
       (OPENS[entry.kind] ?? [])
-        .filter(([page]) => page !== "kinematics" || entry.has_hardpoints)
+        .filter(([page]) => canShow(page, entry))
         .map(([page, key, words]) => ({
           words: `${entry.path}: ${tr(words)}`,
           where: tr(entry.kind),
@@ -99,15 +99,18 @@ async function everywhere(pages: Record<string, string>): Promise<Goal[]> {
         where: `${tr("shipped with jounce")}, ${kindOf(shipped)}`,
         go: open("trial", { rig: shipped.name }),
       },
-      ...(shipped.has_hardpoints
-        ? [
-            {
-              words: `${shipped.name}: ${tr("kinematics")}`,
-              where: `${tr("shipped with jounce")}, ${kindOf(shipped)}`,
-              go: open("kinematics", { rig: shipped.name }),
-            },
-          ]
-        : []),
+      ...(
+        [
+          ["kinematics", "kinematics"],
+          ["kc", "K&C"],
+        ] as const
+      )
+        .filter(([page]) => canShow(page, shipped))
+        .map(([page, words]) => ({
+          words: `${shipped.name}: ${tr(words)}`,
+          where: `${tr("shipped with jounce")}, ${kindOf(shipped)}`,
+          go: open(page, { rig: shipped.name }),
+        })),
     ]),
   ];
 }

@@ -9,7 +9,7 @@ import { part } from "./quantities";
 
 const MM = 1e-3;
 
-/** `moved` hears the new places of the numbers that changed (SI, by path), and whether a move has ended. */
+/** Without a view they are only typed. `moved` hears the new places of the numbers that changed (SI, by path), and whether a move has ended. */
 export class Points {
   readonly element = make("div", { class: "points form" });
   private readonly choice = make("select", { "aria-label": tr("Hardpoint") });
@@ -27,7 +27,7 @@ export class Points {
   private from: [number, number, number] | null = null;
 
   constructor(
-    private readonly view: MechanismView,
+    private readonly view: MechanismView | null,
     private readonly moved: (changes: Record<string, number>, done: boolean) => void,
   ) {
     const way = make(
@@ -43,9 +43,9 @@ export class Points {
       ).map(([value, words]) => make("option", { value }, words)),
     );
     way.addEventListener("change", () => {
-      view.way = way.value as typeof view.way;
+      if (view) view.way = way.value as typeof view.way;
     });
-    view.grabbed = (name, by, done) => this.drag(name, by, done);
+    if (view) view.grabbed = (name, by, done) => this.drag(name, by, done);
     this.choice.addEventListener("change", () => this.choose(this.choice.value));
     this.inputs.forEach((input) => {
       input.addEventListener("change", () => {
@@ -58,8 +58,7 @@ export class Points {
     this.element.append(
       field(tr("Hardpoint"), this.choice),
       ...this.inputs.map((input, i) => field(`${"xyz"[i]} [mm]`, input)),
-      field(tr("Drag"), way),
-      field(tr("Grid"), this.snap),
+      ...(view ? [field(tr("Drag"), way), field(tr("Grid"), this.snap)] : []),
     );
   }
 
@@ -83,7 +82,7 @@ export class Points {
 
   choose(name: string): void {
     this.choice.value = name;
-    this.view.choose(name);
+    this.view?.choose(name);
     this.write();
   }
 

@@ -24,10 +24,12 @@ export const OPENS: Record<string, [page: string, key: string, words: string][]>
     ["rig", "name", "edit"],
     ["trial", "rig", "drive"],
     ["kinematics", "rig", "kinematics"],
+    ["kc", "rig", "K&C"],
   ],
   vehicle: [
     ["rig", "name", "edit"],
     ["trial", "rig", "drive"],
+    ["kc", "rig", "K&C"],
   ],
   record: [
     ["record", "path", "view"],
@@ -41,6 +43,12 @@ export const OPENS: Record<string, [page: string, key: string, words: string][]>
   swept: [["studies", "folder", "results"]],
   store: [["inspection", "store", "search"]],
 };
+
+/** Whether a page can open a rig or vehicle. */
+export const canShow = (
+  page: string,
+  rig: { has_hardpoints: boolean; has_axle: boolean },
+): boolean => (page === "kinematics" ? rig.has_hardpoints : page === "kc" ? rig.has_axle : true);
 
 /** Parses a value of an address as JSON; empty if it is not valid. */
 export function given<T extends object>(text: string | null): T {
@@ -60,6 +68,7 @@ export function goTo(from: Node, page: string, values: Record<string, string> = 
 const SHOWS: Record<string, string> = {
     rig: "name",
     kinematics: "rig",
+    kc: "rig",
     trial: "rig",
     ride: "vehicle",
   },
@@ -109,14 +118,10 @@ export async function choose(
       ),
     );
   const own = entries
-    .filter(
-      (entry) => kinds.includes(entry.kind) && (page !== "kinematics" || entry.has_hardpoints),
-    )
+    .filter((entry) => kinds.includes(entry.kind) && canShow(page, entry))
     .map((entry) => entry.path);
   const others = shipped
-    ? (await api.library()).filter(
-        (shippedRig) => page !== "kinematics" || shippedRig.has_hardpoints,
-      )
+    ? (await api.library()).filter((shippedRig) => canShow(page, shippedRig))
     : [];
   place.replaceChildren(
     make("h1", {}, label),
@@ -127,9 +132,11 @@ export async function choose(
             { class: "muted" },
             page === "kinematics"
               ? tr("Choose a rig with hardpoints.")
-              : kinds.includes("rig")
-                ? tr("Choose a rig or vehicle.")
-                : tr("Choose a record."),
+              : page === "kc"
+                ? tr("Choose a corner, a solid axle, a twist beam or a car.")
+                : kinds.includes("rig")
+                  ? tr("Choose a rig or vehicle.")
+                  : tr("Choose a record."),
           ),
         ]
       : []),

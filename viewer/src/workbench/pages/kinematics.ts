@@ -11,17 +11,7 @@ import { designing, type Target } from "../designing";
 import { Drafts, moment } from "../drafts";
 import { type Band, Multiples } from "../multiples";
 import { numberBox } from "../numberbox";
-import {
-  difference,
-  field,
-  LiveSnippets,
-  Newest,
-  Outdated,
-  once,
-  problem,
-  Sliders,
-  Steps,
-} from "../parts";
+import { field, LiveSnippets, Newest, Outdated, Sliders, Steps } from "../parts";
 import { pastePoints } from "../pasting";
 import { Points } from "../points";
 import { inWords, part, quantity } from "../quantities";
@@ -29,6 +19,7 @@ import { asSaid } from "../refusals";
 import { saveChart, saveDrawing } from "../saving";
 import { address, choose, given, setLive, type Values } from "../shell";
 import { row, table } from "../table";
+import { Writing } from "../writing";
 
 type Over = "travel" | "rack" | "roll";
 /** State that survives the reload after saving: targets, and changes made meanwhile. */
@@ -137,8 +128,17 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       make(
         "p",
         { class: "empty" },
-        tr("This rig has no hardpoints and therefore no kinematics: "),
-        make("a", { href: address("kinematics") }, tr("choose another one")),
+        ...(rig.is_dependent
+          ? [
+              tr(
+                "The wheels of this axle move together, so there is no sweep of one wheel yet. The K&C rig tests the whole axle: ",
+              ),
+              make("a", { href: address("kc", { rig: name }) }, tr("Show its K&C")),
+            ]
+          : [
+              tr("This rig has no hardpoints and therefore no kinematics: "),
+              make("a", { href: address("kinematics") }, tr("choose another one")),
+            ]),
         ".",
       ),
     );
@@ -443,70 +443,25 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   const legend = make("ul", { class: "legend" }),
     filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
   filter.addEventListener("input", () => multiples.filter(filter.value));
-  const write = make("button", { type: "button" }, tr("Save these changes to the file")),
-    review = make("div", {}),
-    written_ = make("span", { "aria-live": "polite" });
-  /** A number as it is written to the file (SI): lengths to a micrometre, others with six digits. */
-  const asWritten = (path: string, value: number): number => {
-    const own = rig.numbers.find((parameter) => parameter.path === path);
-    if (!own) return value;
-    const shown = value * own.factor,
-      text = own.unit === "mm" ? shown.toFixed(3) : shown.toPrecision(6);
-    return Number((Number(text) / own.factor).toPrecision(12));
-  };
-  /** Writes a text that has been seen; changes made meanwhile stay. */
-  const save = async (text: string, was: string, changes: Record<string, number>) => {
-    await api.save(name, text, was);
-    if (!place.isConnected) return;
-    const inFile = new Map(rig.numbers.map(({ path, value }) => [path, changes[path] ?? value])),
-      later = moved().filter(({ path, value }) =>
-        path in changes ? asWritten(path, value) !== changes[path] : value !== inFile.get(path),
-      );
-    stored = {
-      rig: name,
-      said: tr("Saved. The previous state is under earlier versions."),
-      targets,
-      changes: Object.fromEntries(later.map(({ path, value }) => [path, value])),
-    };
-    drafts.drop(); // the page that comes has it all
-    dispatchEvent(new HashChangeEvent("hashchange"));
-  };
-  write.addEventListener("click", () => {
-    const changes = Object.fromEntries(
-      Object.entries(sliders.changes).map(([path, value]) => [path, asWritten(path, value)]),
-    );
-    review.replaceChildren();
-    written_.replaceChildren();
-    if (!Object.keys(changes).length) {
-      written_.textContent = tr("No changes to save.");
-      return;
-    }
-    void once(
-      write,
-      (async () => {
-        try {
-          const file = await api.file(name),
-            form = await api.form(name, file.text, [], changes);
-          if (form.problems.length) throw new Error(form.problems[0]!.text);
-          const yes = make("button", { type: "button", class: "main" }, tr("Write to the file")),
-            no = make("button", { type: "button" }, tr("Back"));
-          no.addEventListener("click", () => {
-            review.replaceChildren();
-            write.focus();
-          });
-          yes.addEventListener("click", () => {
-            once(yes, save(form.text, file.digest, changes)).catch((error) =>
-              written_.replaceChildren(problem(error)),
-            );
-          });
-          review.replaceChildren(difference(form.changed, yes, no));
-          yes.focus();
-        } catch (error) {
-          written_.replaceChildren(problem(error));
-        }
-      })(),
-    );
-  });
+  const writes = new Writing(
+    rig,
+    () => sliders.changes,
+    (changes, asWritten) => {
+      if (!place.isConnected) return;
+      const inFile = new Map(rig.numbers.map(({ path, value }) => [path, changes[path] ?? value])),
+        later = moved().filter(({ path, value }) =>
+          path in changes ? asWritten(path, value) !== changes[path] : value !== inFile.get(path),
+        );
+      stored = {
+        rig: name,
+        said: tr("Saved. The previous state is under earlier versions."),
+        targets,
+        changes: Object.fromEntries(later.map(({ path, value }) => [path, value])),
+      };
+      drafts.drop(); // the page that comes has it all
+      dispatchEvent(new HashChangeEvent("hashchange"));
+    },
+  );
   const design = isOwn
     ? designing(name, rig, targets, sliders, (changes) => {
         for (const [path, value] of Object.entries(changes)) sliders.set(path, value);
@@ -565,7 +520,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     ),
     make("h2", {}, tr("Parameters")),
     sliders.element,
-    ...(isOwn ? [make("p", { class: "bar" }, write, written_), review] : []),
+    ...(isOwn ? [writes.element] : []),
     make("h2", {}, tr("Hardpoints")),
     table(
       tr("Hardpoints"),
@@ -580,7 +535,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     design,
     same.element,
   );
-  written_.textContent = before?.said ?? "";
+  if (before) writes.say(before.said);
   await ask();
 }
 

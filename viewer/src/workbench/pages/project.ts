@@ -36,6 +36,7 @@ interface Begun {
 const LABELS: Record<string, string> = {
   rig: "Rig",
   kinematics: "Kinematics",
+  kc: "K&C",
   campaign: "Campaign",
   ride: "Ride and control",
   inspection: "Inspection",

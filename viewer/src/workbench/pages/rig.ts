@@ -107,6 +107,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     { href: address("kinematics", { rig: name }), hidden: true },
     tr("Show its kinematics"),
   );
+  const tests = make("a", { href: address("kc", { rig: name }), hidden: true }, tr("Show its K&C"));
   const drafts = new Drafts(
     folder,
     own,
@@ -175,7 +176,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       reviewed = null;
     }
     state = form;
-    if (form.rig) moves.hidden = !form.rig.spatial;
+    if (form.rig) {
+      moves.hidden = !form.rig.spatial;
+      tests.hidden = !form.rig.spatial && !form.rig.is_dependent;
+    }
     isOld = true;
   };
   /** Shows the latest state once all requests have finished: earlier answers lack later edits. */
@@ -361,6 +365,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       { class: "bar" },
       make("a", { href: address("trial", { rig: name }) }, tr("Drive over an obstacle")),
       moves,
+      tests,
     ),
     drafts.element,
     status,

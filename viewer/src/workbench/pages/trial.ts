@@ -52,6 +52,19 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     name.endsWith(".toml") ? api.versions(name) : [],
   ]);
   if (!place.isConnected) return;
+  if (rig.is_dependent) {
+    place.replaceChildren(
+      make("h1", {}, name),
+      make(
+        "p",
+        { class: "empty" },
+        tr("An axle with joined wheels cannot be driven over a road yet. The K&C rig tests it: "),
+        make("a", { href: address("kc", { rig: name }) }, tr("Show its K&C")),
+        ".",
+      ),
+    );
+    return;
+  }
   const kind = select(Object.keys(OBSTACLES), undefined, (text) => tr(text.replace("-", " ")));
   const sizes = make("span", { class: "sizes" });
   const road = given<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
