@@ -287,6 +287,11 @@ def test_what_is_shipped_says_whose_kinematics_can_be_swept(ask):
     assert status == 200
     assert has_hardpoints["kart-double-wishbone"]
     assert not has_hardpoints["kart-quarter-car"]
+    has_axle = {one["name"]: one["has_axle"] for one in shipped}
+    for name in ("kart-double-wishbone", "solid-axle", "twist-beam", "sedan-full-car-3d"):
+        assert has_axle[name]
+        assert has_hardpoints[name] == (name == "kart-double-wishbone")
+    assert not has_axle["kart-quarter-car"]
     models = {one["name"]: one["model"] for one in shipped}
     assert models["generic-mcpherson"] == "mcpherson"
 

@@ -68,6 +68,11 @@ BODIES: dict[tuple[str, str], list[dict[str, Any]]] = {
          "over": "travel", "rack": "1 mm", "roll": "", "against": "", "study": "", "channels": ["camber"],
          "targets": [{"quantity": "camber", "over": "-5 mm:5 mm:5 mm", "value": "0 deg", "tolerance": "1 deg"}]},
     ],
+    ("POST", "/api/kc"): [
+        {"rig": "semi-trailing-arm", "changes": {"strut.spring.rate": 24000.0}, "test": "bounce", "axle": "",
+         "to": {"bounce": "10 mm"}, "within": {"bounce": "5 mm"}, "travel": "1 mm", "steer": "", "held": "load",
+         "handwheel": "locked", "measured": [], "overview": False, "loads": True, "text": None, "channels": []},
+    ],
     ("POST", "/api/points"): [
         {"rig": "kart-double-wishbone", "text": None, "changes": {"hardpoints.tie_rod_inner[2]": 0.11},
          "channels": ["camber"], "table": "point\tx\ty\tz\ntie_rod_inner\t1\t2\t3", "unit": "mm",

@@ -30,7 +30,7 @@ DRAWN = (
 )
 RIG = "kart-double-wishbone.toml"
 PAGES = [
-    "project", f"rig?name={RIG}", f"trial?rig={RIG}", f"kinematics?rig={RIG}", "record?path=run.nc",
+    "project", f"rig?name={RIG}", f"trial?rig={RIG}", f"kinematics?rig={RIG}", f"kc?rig={RIG}", "record?path=run.nc",
     "data?path=run.nc", "campaign",
     "ride",
     "inspection", "studies", "jobs",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -14,7 +14,7 @@ from jounce.core.commands import command_line
 from jounce.core.display import display_unit
 from jounce.core.errors import JounceError, unknown
 from jounce.core.files import only_below, state_of
-from jounce.core.findings import findings_of, with_german
+from jounce.core.findings import Finding, findings_of, with_german
 from jounce.core.remembered import Recent
 from jounce.core.serialise import to_plain
 from jounce.core.types import Array
@@ -207,9 +207,7 @@ def run_tests(project: Project, asked: Question) -> CurvesAnswer:
         else with_german(to_plain(findings_of(first.attrs))),
         "compared": None if compared is None else _verdicts(compared),
         "measured": sorted(sheet),
-        "remarks": with_german(
-            to_plain([*getattr(sheet, "findings", ()), *_findings_of(compared)])
-        ),
+        "remarks": _remarks(project, [*getattr(sheet, "findings", ()), *_findings_of(compared)]),
     }
     return CurvesAnswer(viewer, more | _ways(asked))
 
@@ -365,8 +363,6 @@ def _offsets(curves: Sequence[Any], x: Array) -> dict[str, float]:
 
 
 def _shifted(curve: Any, offsets: Mapping[str, float]) -> Any:
-    from dataclasses import replace
-
     by = offsets.get(curve.role)
     return curve if by is None else replace(curve, values=curve.values + by)
 
@@ -419,6 +415,13 @@ def _compared(now: Bench, sheet: Mapping[str, xr.Dataset], asked: Question) -> x
 
     done = {name: run for name, run in now.completed(asked).items() if name in sheet}
     return compare_kc(done, {name: sheet[name] for name in done}) if done else None
+
+
+def _remarks(project: Project, findings: Sequence[Finding]) -> Any:
+    """Return findings with the names of files relative to the project."""
+    here = f"{project.root}/"
+    own = [replace(item, place=item.place.replace(here, "")) for item in findings]
+    return with_german(to_plain(own))
 
 
 def _findings_of(compared: xr.Dataset | None) -> Sequence[Any]:

@@ -309,7 +309,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         ],
         sorted.map((one) => [
           words(one.test),
-          quantity(one.quantity),
+          quantity(one.quantity).replace(/^(left|right)\./, "$1 "),
           one.slope_unit,
           withComma(one.slope_simulated),
           withComma(one.slope_measured),
@@ -448,7 +448,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       { class: "beside" },
       make(
         "div",
-        {},
+        { class: "stuck movers" },
         make("h2", {}, tr("Hardpoints")),
         points.element,
         make("h2", {}, tr("Parameters")),
