@@ -377,7 +377,28 @@ def run_test(
 def kc_tests(
     axle: Rig, tests: tuple[str, ...] | None = None, **options: object
 ) -> dict[str, xr.Dataset]:
-    """Run all tests of a sheet that the axle can do, or those given; see `kc_test` for the options.
+    """Run all tests of a sheet that the axle can do, or those given.
+
+    Parameters
+    ----------
+    axle : Rig
+        A corner with hardpoints, a dependent axle, or a 3-D car.
+    tests : tuple of str, optional
+        Tests by name; all by default.
+    **options
+        As for `kc_test`; ``to`` applies to every test.
+
+    Returns
+    -------
+    dict of str to xarray.Dataset
+        Tests by name, SI.
+
+    Raises
+    ------
+    DescriptionError
+        If a test is unknown, or the axle cannot do it.
+    SimulationError
+        If there is no equilibrium.
 
     Examples
     --------

@@ -205,7 +205,7 @@ class KcOverview(Plain):
         return str(TextTable("K&C overview", header, rows, (0, 1, 2)))
 
     def row(self, test: str, name: str) -> OverviewRow:
-        """Return a row.
+        """Look up the characteristic of a test by its key.
 
         Parameters
         ----------
@@ -227,7 +227,7 @@ class KcOverview(Plain):
         >>> import jounce as jn
         >>> tests = jn.kc_tests(jn.load("semi-trailing-arm"), ("bounce",))
         >>> round(1e-3 * jn.kc_overview(tests).row("bounce", "wheel_rate").left, 1)         # N/mm
-        13.2
+        21.4
         """
         known = {(item.test, item.name): item for item in self.rows}
         if (test, name) not in known:

@@ -291,7 +291,7 @@ def kc_sheet(  # noqa: PLR0913 - each is a setting of the laboratory
     channels : Path or str, optional
         Their channel map.
     tolerances : mapping, optional
-        Allowed differences, as for :func:`jounce.compare_kc`.
+        Allowed differences, SI or as text with a unit, as for :func:`jounce.compare_kc`.
     progress : callable
         Called with a line of text for each test.
 
