@@ -174,10 +174,11 @@ class Tangents:
             tangent = self._follow_test(test, inputs, held, handwheel, trail)
             return tangent, np.arange(len(inputs))
         reached = np.unique(np.round(inputs, 15))
-        branches = [b for b in (reached[reached >= 0.0], reached[reached < 0.0][::-1]) if b.size]
+        ahead, back = reached[reached > 0.0], reached[reached < 0.0][::-1]
+        branches = [np.append(0.0, branch) for branch in (ahead, back)]  # each from the start
         parts = [self._follow_test(test, branch, held, handwheel, trail) for branch in branches]
         away = np.abs(np.concatenate(branches) - inputs[:, None])
-        whole = parts[0] if len(parts) == 1 else parts[0].joined(parts[1])
+        whole = parts[0].joined(parts[1])
         return whole, np.argmin(away, axis=1)
 
     def _follow_test(
