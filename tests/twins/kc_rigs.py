@@ -315,6 +315,7 @@ class _Axle:
             "kind": "bushing", "name": f"{self.side}.bearing", "first": carrier, "second": hub,
             "at": centre, "axes": axes_of(given), "stiffness": stiffness or (0.0, 0.0, 0.0),
             "rotational_stiffness": (turning[0], 0.0, turning[2]) if turning else (0.0, 0.0, 0.0),
+            "mirrored": self.side == "right",
         }  # fmt: skip
         self.data.elastic.append(row)
         if stiffness is None:
