@@ -17,7 +17,7 @@ import jounce as jn
 from jounce.kc.tests import TESTS
 
 AGREEMENT = 1e-9  # of a curve's range
-ROUNDING = {"N": 5e-8, "N*m": 1e-8, "m": 5e-14, "rad": 5e-13}
+ROUNDING = {"N": 5e-8, "N*m": 1e-8, "m": 5e-13, "rad": 5e-13}  # Newton stops at changes of 1e-12
 POINTS = 9
 
 

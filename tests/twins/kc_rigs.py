@@ -309,7 +309,8 @@ class _Axle:
         across = axis * SIDES[self.side]  # to the left
         up = np.array([0.0, 0.0, 1.0]) - across[2] * across
         up /= np.linalg.norm(up)
-        given = {"x_axis": np.cross(across, up), "z_axis": up}
+        seen = np.array([1.0, SIDES[self.side], 1.0])  # the right side is what a mirror shows
+        given = {"x_axis": seen * np.cross(across, up), "z_axis": seen * up}
         stiffness, turning = bearing.get("stiffness"), bearing.get("rotational_stiffness")
         row = {
             "kind": "bushing", "name": f"{self.side}.bearing", "first": carrier, "second": hub,
