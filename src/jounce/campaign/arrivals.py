@@ -322,7 +322,7 @@ def _signal(item: RecognisedFile, table: ColumnTable) -> tuple[dict[str, Any], s
         "y_label": column.label,
     }
     count, rate, signals = len(column.values), item.rate, len(item.signals)
-    numbers = {"signals": signals, "count": count}
+    numbers: dict[str, float] = {"signals": signals, "count": count}
     if rate is None:
         several = "{signals} signals, {count} rows"
         return curve, Phrase("1 signal, {count} rows" if signals == 1 else several, **numbers)

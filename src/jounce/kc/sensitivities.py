@@ -69,7 +69,8 @@ def kc_sensitivities(  # noqa: PLR0913 - options of a test
     """Compute how K&C tests change with hardpoints and stiffnesses: exact slopes at every sample, and of fitted lines.
 
     A parameter of the corner changes both sides of the axle. The loads at ride height, which tests keep, change with
-    the parameters; the slopes contain that, and what friction keeps from earlier samples.
+    the parameters; the slopes contain that, and what friction keeps from earlier samples. Where the solver halves a
+    step during which friction slips, slopes are exact to about 1e-3 of the largest only.
 
     Parameters
     ----------
