@@ -94,6 +94,8 @@ class KcUpdate(Plain):
     curves : tuple of mapping
         For each curve its ``test``, ``quantity``, ``unit``, and root mean square differences ``before`` and ``after``,
         and the ``noise``, SI.
+    units : mapping of str to str
+        SI unit of each free number.
     findings : tuple of Finding
         Limits of the result.
     """

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from jounce.core.datasets import dataset
-from jounce.core.errors import DescriptionError, SimulationError, unknown
+from jounce.core.errors import DescriptionError, SimulationError, show_value, unknown
 from jounce.core.findings import Finding, finding, finding_attributes
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _APPROACH = 5e-3  # m: step of pads and rack on the way to the state of a test
-_FEWEST = 5
+_FEWEST, _MOST = 5, 100_001  # samples of a loop
 _NO_SEEDS = eq.Seeds(np.zeros((0, 2), dtype=np.int64), np.zeros((0, eq.WIDTH)))
 Held = Literal["load", "height"]
 Handwheel = Literal["locked", "free"]
@@ -232,10 +232,14 @@ def _lowest(wheel: Array) -> float:
 
 def axle_of(axle: Rig, which: str | None) -> Corner | DependentAxle:
     """Return what describes an axle: a corner, a dependent axle, or an axle of a car."""
+    if which not in (None, "front", "rear"):
+        raise DescriptionError(
+            "unknown axle", where="on", found=show_value(which), allowed="front, rear"
+        )
     if isinstance(axle, DependentAxle):
         return axle
     if isinstance(axle, FullCar3D):
-        if which not in ("front", "rear"):
+        if which is None:
             raise DescriptionError(
                 "which axle of the car is to be tested?",
                 where="axle",
@@ -347,12 +351,12 @@ def run_test(
             allowed="an axle with a tie rod or toe link",
         )
     end = test.range if to is None else to_si(to, test.unit, where="to")
-    if points < _FEWEST:
+    if not _FEWEST <= points <= _MOST:
         raise DescriptionError(
-            "too few samples",
+            "too few or too many samples",
             where="points",
             found=Phrase(str(points)),
-            allowed=f"at least {_FEWEST}",
+            allowed=f"{_FEWEST} to {_MOST}",
         )
     inputs = loop(end, points, one_sided=test.one_sided)
     behind = test.trail if trail is None else to_si(trail, "m", where="trail")

@@ -323,6 +323,13 @@ def kc_sheet(  # noqa: PLR0913 - each is a setting of the laboratory
     rack = None if steer is None else to_si(steer, "m", where="steer")
     ends = _ends(to)
     names = _names(tests, ends, within)
+    if channels is not None and not measured:
+        raise DescriptionError(
+            "there is no measured sheet to read with it",
+            where="channels",
+            found=str(channels),
+            hint="Give measured files.",
+        )
     sheet = {} if not measured else _read(measured, channels, on)
     laboratory = Laboratory(axle, to_si(travel, "m", where="travel"), rack)
     if tests is None and not laboratory.axle.steered:

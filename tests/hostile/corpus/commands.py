@@ -38,6 +38,7 @@ BASES = {
     "serve": "serve none --no-open",
     "version": "version",
     "completion": "completion bash",
+    "kc": "kc twist-beam --test bounce --points 9",
     "load-cases": "load-cases formula-student-front --car axle=front --car mass=280 --car wheelbase=1.55 "
     "--car centre_of_mass_height=0.3 --car weight_share=0.48 --car brake_share=0.65",
     "clearances": "clearances kart-double-wishbone --between "

@@ -32,6 +32,7 @@ NO_OUTPUTS = [
 """Options that choose among what is written into the folder."""
 LONG = (
     *SLOW,
+    "kc",
     "load-cases",
     "campaign run",
     "campaign posterior",

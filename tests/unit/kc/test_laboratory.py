@@ -207,7 +207,9 @@ def test_a_load_beyond_the_mechanism_says_until_where_it_came() -> None:
     [
         ("reference-double-wishbone", "lateral", {}, "unknown test"),
         ("semi-trailing-arm", "steer", {}, "no rack"),
-        ("reference-double-wishbone", "bounce", {"points": 3}, "too few samples"),
+        ("reference-double-wishbone", "bounce", {"points": 3}, "too few or too many samples"),
+        ("reference-double-wishbone", "bounce", {"points": 10**12}, "too many samples"),
+        ("reference-double-wishbone", "bounce", {"on": "middle"}, "unknown axle"),
         ("sedan-full-car-3d", "bounce", {}, "which axle"),
         ("kart-quarter-car", "bounce", {}, "lumped"),
         ("reference-double-wishbone", "bounce", {"to": "3 kN"}, "to"),
