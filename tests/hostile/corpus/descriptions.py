@@ -136,6 +136,26 @@ ch0 = "left.toe [deg]"
 ch1 = {quantity = "camber", wheel = "right", unit = "deg", sign = -1, offset = 0.5, test = "bounce"}
 """
 
+_LAYOUT = """schema = "jounce.layout/1"
+axis = "time"
+note = "kerbs"
+[[recordings]]
+path = "lane.csv"
+shown = true
+shifts = {time = 0.5}
+[[graphs]]
+channels = ["speed", "force"]
+[[formulas]]
+name = "way"
+formula = "integral(speed)"
+unit = "m"
+[[events]]
+at = 1.0
+text = "kerb"
+recording = ""
+axis = "time"
+"""
+
 KINDS = {
     "rig": Kind(_shipped(*_LIBRARY, "kart-quarter-car.toml"), use="modes given.toml"),
     "rig in 3-D": Kind(_shipped(*_LIBRARY, "kart-double-wishbone.toml"), use="modes given.toml"),
@@ -165,6 +185,7 @@ KINDS = {
     "laboratory": Kind(lambda: _LABORATORY, use="campaign sheet given.toml"),
     "sensors": Kind(lambda: _SENSORS, use="analyse statistics lane.csv --sensors given.toml"),
     "kc-map": Kind(lambda: _KC_MAP),
+    "layout": Kind(lambda: _LAYOUT),
     "design": Kind(lambda: _DESIGN),
     "sweep": Kind(lambda: _SWEEP),
     "optimisation": Kind(lambda: _OPTIMISATION),
