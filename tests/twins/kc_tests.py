@@ -70,7 +70,7 @@ class Rig:
         if test == "roll":
             left, right = self.heights.values()
             track = np.subtract(*(w.centre[1] for w in self.oracle.data.wheels.values()))
-            inputs |= {"roll": 1.0, "roll.difference": left - right + value * track}
+            inputs |= {"roll": 1.0, "roll.difference": left - right + np.tan(value) * track}
             return inputs | {"roll.load": sum(self.loads.values())}
         if held == "load":
             inputs |= {f"{name}.held": 0.0 for name in SIDES}

@@ -218,11 +218,13 @@ class Assembly:
 
     # joints of several rows ------------------------------------------------------------------------------------------
 
-    def hinge(self, name: str, first: int, second: int, points: tuple[Numbers, Numbers]) -> None:
-        """Let a body turn about the line through two points of another."""
-        self.ball(name, first, second, points[0])
+    def hinge(
+        self, name: str, firsts: tuple[int, int], second: int, points: tuple[Numbers, Numbers]
+    ) -> None:
+        """Let a body turn about the line through two points, each on a body of its own."""
+        self.ball(name, firsts[0], second, points[0])
         for direction in across(points[1] - points[0]):
-            self.along(f"{name}.axis", first, second, (points[1], points[1]), direction)
+            self.along(f"{name}.axis", firsts[1], second, (points[1], points[1]), direction)
 
     def slide(self, name: str, first: int, second: int, point: Numbers, axis: Numbers) -> None:
         """Let a body slide along an axis of another without turning."""

@@ -171,8 +171,11 @@ class BuiltAxle(AxleBuilder):
         if self.is_soft("rocker_pivot"):
             self.joint("rocker_pivot", self.holder("rocker_pivot"), rocker)
         else:
-            points = self.point("rocker_pivot"), self.point("rocker_axis")
-            self.assembly.hinge(self.called("rocker"), self.holder("rocker_pivot"), rocker, points)
+            points, holder = (
+                (self.point("rocker_pivot"), self.point("rocker_axis")),
+                self.holder("rocker_pivot"),
+            )
+            self.assembly.hinge(self.called("rocker"), (holder, holder), rocker, points)
         foot = getattr(self.rig.strut, "pushrod_on", "upright")
         self.rod("pushrod", ("pushrod_outer", "pushrod_inner"), (self.carrier(foot), rocker))
 

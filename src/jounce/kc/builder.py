@@ -25,15 +25,12 @@ class AxleBuilder(ABC):
     ``varied`` are the parameters of the columns, none for the values themselves.
     """
 
-    def __init__(
-        self, rig: Corner | DependentAxle, varied: Sequence[str] = (), *, handwheel: str = "locked"
-    ) -> None:
-        self.rig, self.handwheel = rig, handwheel
+    def __init__(self, rig: Corner | DependentAxle, varied: Sequence[str] = ()) -> None:
+        self.rig = rig
         self.values = rig.parameters()
         self.column = {path: i for i, path in enumerate(varied)}
         self.assembly = Assembly(max(1, len(varied)))
         self.bodies: dict[str, int] = {}
-        self.wheel_body: dict[str, int] = {}
         self.upright: dict[str, int] = {}
         self.steering_axis: dict[str, tuple[tuple[int, Numbers], tuple[int, Numbers]]] = {}
         self.left_out: list[str] = []
@@ -145,11 +142,10 @@ class AxleBuilder(ABC):
             for end in ends:
                 self.joint(end, self.holder(end), body)
             return
-        points = self.point(ends[0]), self.point(ends[1])
-        holder = self.holder(ends[0])
-        if holder != self.holder(ends[1]):
-            self.left_out.append(f"subframe.carries {ends[1]}")
-        self.assembly.hinge(self.called(name), holder, body, points)
+        holders = self.holder(ends[0]), self.holder(ends[1])
+        self.assembly.hinge(
+            self.called(name), holders, body, (self.point(ends[0]), self.point(ends[1]))
+        )
 
     def rod(self, name: str, ends: tuple[str, str], bodies: tuple[int, int]) -> None:
         """Connect two hardpoints of two bodies by a link, with the bushings and the stiffness that it has."""
@@ -188,7 +184,10 @@ class AxleBuilder(ABC):
         )
 
     def eye(self, point: str, body: int) -> int:
-        """Return the body to which an end of spring or damper is attached: a bushing's eye, or the body itself."""
+        """Return the body to which an end of spring or damper is attached: a bushing's eye, or the body itself.
+
+        The force along the line has no moment about the eye, which therefore only shifts on its bushing.
+        """
         guides = getattr(self.rig, "model", "") == "mcpherson" and point == "strut_top"
         if guides or not self.is_soft(point):  # the top mount of a McPherson strut is its joint
             return body
@@ -197,15 +196,7 @@ class AxleBuilder(ABC):
             return self.bodies[name]
         eye = self.shared(name)
         bushing = getattr(self.rig.bushings, point)
-        turns = {"rotational_stiffness": (0.0, 0.0, 0.0), "rotational_preload": None}
-        self.soft(
-            f"bushings.{point}",
-            bushing.model_copy(update=turns),
-            self.called(point),
-            body,
-            eye,
-            self.point(point),
-        )
+        self.soft(f"bushings.{point}", bushing, self.called(point), body, eye, self.point(point))
         self.assembly.parallel(self.called(f"{point}.eye"), body, eye)
         return eye
 
@@ -289,7 +280,6 @@ class AxleBuilder(ABC):
         bearing = self.rig.bearing
         if bearing is not None:
             body = self._add_bearing(bearing, body, centre, axis)
-        self.wheel_body[self.side] = body
         self.assembly.wheel(self.called("contact"), body, centre, axis, self.number("wheel.radius"))
 
     def _add_bearing(self, bearing: Any, upright: int, centre: Numbers, axis: Numbers) -> int:
@@ -304,9 +294,8 @@ class AxleBuilder(ABC):
                 for i in range(3):
                     if (first, i) != (3, 1):  # the wheel's spin is held
                         six[first + i] = self.number(f"bearing.{key}[{i}]")
-        axes = np.stack(
-            [ahead, axis, up]
-        )  # on both sides outward: one is the mirror image of the other
+        # On both sides outward: one is the mirror image of the other.
+        axes = np.stack([ahead, axis, up])
         self.assembly.bushing(label, upright, wheel, centre, stiffness=np.stack(six), axes=axes)
         if bearing.stiffness is None:
             self.assembly.ball(label, upright, wheel, centre)
@@ -336,13 +325,15 @@ class AxleBuilder(ABC):
             if self.is_soft("arb_pivot"):
                 self.joint("arb_pivot", holder, half)
             else:
-                self.assembly.hinge(self.called("arb"), holder, half, (pivot, pivot + 0.1 * axis))
+                self.assembly.hinge(
+                    self.called("arb"), (holder, holder), half, (pivot, pivot + 0.1 * axis)
+                )
             self.rod("arb_link", ("arb_arm_end", "arb_link_end"), (half, self.carrier(bar.on)))
             halves.append(half)
         left, right = halves
         middle = self.point("arb_pivot") * np.array([[1.0], [0.0], [1.0]])
         if self.is_soft("arb_pivot"):
-            self.assembly.hinge("arb", left, right, (middle, middle + 0.1 * LEFT))
+            self.assembly.hinge("arb", (left, left), right, (middle, middle + 0.1 * LEFT))
         self.assembly.twist("arb", left, right, LEFT + 0.0 * middle, self._bar_stiffness())
 
     def _bar_stiffness(self) -> Numbers:

@@ -90,7 +90,7 @@ class BuiltSolidAxle(_Dependent):
         if points.watt_pivot is not None:
             lever = self.shared("watt_lever")
             pivot = self.point("watt_pivot")
-            self.assembly.hinge("watt_pivot", axle, lever, (pivot, pivot + 0.1 * _AHEAD))
+            self.assembly.hinge("watt_pivot", (axle, axle), lever, (pivot, pivot + 0.1 * _AHEAD))
             for name in ("watt_upper", "watt_lower"):
                 self.rod(name, (f"{name}_body", f"{name}_axle"), (GROUND, lever))
         self._finish()
@@ -122,7 +122,7 @@ class BuiltTwistBeam(_Dependent):
         self.side = "left"
         centre = self.point("shear_centre")
         left, right = self.upright["left"], self.upright["right"]
-        self.assembly.hinge("beam", left, right, (centre, centre + 0.1 * LEFT))
+        self.assembly.hinge("beam", (left, left), right, (centre, centre + 0.1 * LEFT))
         stiffness = self.number("beam.torsional_stiffness")
         self.assembly.twist("beam", left, right, LEFT + 0.0 * centre, stiffness)
         self._finish()

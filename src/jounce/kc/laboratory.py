@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kc.builder import SIDES
 from jounce.kc.dependent import build_axle
-from jounce.kc.quantities import Poses, quantities
+from jounce.kc.quantities import Poses, quantities, table_deflections
 from jounce.kc.tests import TESTS, KCTest
 from jounce.kernel import equilibrium as eq
 from jounce.kinematics.model import check_corner
@@ -27,9 +28,12 @@ if TYPE_CHECKING:
 
 _APPROACH = 5e-3  # m: step of pads and rack on the way to the state of a test
 _FEWEST, _MOST = 5, 100_001  # samples of a loop
+_BEYOND = 1e-9  # of a table's range: rounding
 _NO_SEEDS = eq.Seeds(np.zeros((0, 2), dtype=np.int64), np.zeros((0, eq.WIDTH)))
 Held = Literal["load", "height"]
 Handwheel = Literal["locked", "free"]
+HELD: tuple[str, ...] = get_args(Held)
+HANDWHEEL: tuple[str, ...] = get_args(Handwheel)
 
 
 @dataclass(frozen=True)
@@ -105,6 +109,51 @@ class Laboratory:
 
     # paths -----------------------------------------------------------------------------------------------------------
 
+    def names(self, tests: Sequence[str] | None) -> list[str]:
+        """Return the names of tests, all that the axle can do by default; refuse unknown ones."""
+        for name in tests or ():
+            if name not in TESTS:
+                raise unknown(name, TESTS, what="test", where="tests")
+        if tests is not None:
+            return list(tests)
+        return [name for name, test in TESTS.items() if self.axle.steered or test.kind != "rack"]
+
+    def inputs(self, test: KCTest, to: float | str | None, points: int) -> Array:
+        """Return the inputs of a test, SI: from zero to the end of its range, to its opposite, and back."""
+        if test.kind == "rack" and not self.axle.steered:
+            raise DescriptionError(
+                "this axle has no rack, so it cannot be steered",
+                where=test.name,
+                allowed="an axle with a tie rod or toe link",
+            )
+        end = test.range if to is None else to_si(to, test.unit, where="to")
+        if end == 0.0:
+            raise DescriptionError(
+                "a test without a range", where="to", found=Phrase("0"), allowed="any other end"
+            )
+        if not _FEWEST <= points <= _MOST or points % 4 != 1:
+            raise DescriptionError(
+                "not a number of samples of a loop, whose four quarters are equal",
+                where="points",
+                found=Phrase(str(points)),
+                allowed=Phrase(
+                    "{fewest} to {most} in steps of 4: 5, 9, 13, ... 41", fewest=_FEWEST, most=_MOST
+                ),
+            )
+        return loop(end, points, one_sided=test.one_sided)
+
+    def _check_settings(self, held: str, handwheel: str) -> None:
+        for given, known, where in ((held, HELD, "held"), (handwheel, HANDWHEEL, "handwheel")):
+            if given not in known:
+                raise unknown(given, known, what="setting", where=where)
+        if handwheel == "free" and getattr(self.rig, "steering", None) is None:
+            raise DescriptionError(
+                "this axle has no handwheel",
+                where="handwheel",
+                found=handwheel,
+                allowed="locked, or a description with a table [steering]",
+            )
+
     def _wheel(self, control: str) -> int:
         return SIDES.index(control.split(".", maxsplit=1)[0])
 
@@ -120,6 +169,7 @@ class Laboratory:
         self, test: KCTest, inputs: Array, held: Held, handwheel: Handwheel, trail: float
     ) -> eq.Path:
         """Return mixtures, targets and loads of a test at its inputs."""
+        self._check_settings(held, handwheel)
         steps, n = len(inputs), len(self.controls)
         values, forces = (part.reshape(steps, n, n) for part in self._prescribed(steps))
         values, forces = values.copy(), forces.copy()
@@ -137,7 +187,8 @@ class Laboratory:
         elif test.kind == "roll":
             left, right = at
             values[:, left, right] = -1.0
-            targets[:, left] = self.state.heights[0] - self.state.heights[1] + inputs * self.track
+            targets[:, left] = self.state.heights[0] - self.state.heights[1]
+            targets[:, left] += np.tan(inputs) * self.track
             values[:, right, right], forces[:, right, left], forces[:, right, right] = 0.0, 1.0, 1.0
             targets[:, right] = self.state.forces[at].sum()
         elif held == "load":
@@ -184,7 +235,15 @@ class Laboratory:
             findings.append(
                 finding("kc.no_equilibrium_beyond", test.name, last, last=f"{last:.4g} {test.unit}")
             )
-        return Poses(self.axle, settled, path), findings
+        poses = Poses(self.axle, settled, path)
+        return poses, [*findings, *self._pulling(test, poses), *_beyond_tables(poses)]
+
+    def _pulling(self, test: KCTest, poses: Poses) -> Iterator[Finding]:
+        """Yield a finding for each wheel that its pad would have to hold down."""
+        for side in SIDES:
+            least = float(np.nanmin(poses.control_force(f"{side}.contact")))
+            if least < 0.0:
+                yield finding("kc.pad_pulls", test.name, least, wheel=side, force=f"{-least:.4g}")
 
     def _failure(self, what: str) -> SimulationError:
         """Return the error for a state without equilibrium; it names a motion that nothing holds."""
@@ -224,6 +283,25 @@ class Laboratory:
         columns = 1.0 / np.maximum(np.abs(scaled).max(axis=0), 1e-300)
         motion = np.abs(np.linalg.svd(scaled * columns)[2][-1] * columns)[: 6 * self.bodies]
         return str(self.axle.assembly.names()[int(np.argmax(motion))])
+
+
+def _beyond_tables(poses: Poses) -> Iterator[Finding]:
+    """Yield a finding for each part that leaves the range of its table, which goes on straight there."""
+    for element, k, moves in table_deflections(poses):
+        law = element.laws[k]
+        assert law is not None
+        low, high = law.numbers[0], law.numbers[law.count - 1]
+        for end, value, sign in ((low, np.nanmin(moves), -1.0), (high, np.nanmax(moves), 1.0)):
+            if sign * value > sign * end + _BEYOND * (high - low):
+                path = element.name.partition(".")[2] if "." in element.name else element.name
+                unit = "rad" if k > 2 else "m"
+                yield finding(
+                    "kc.beyond_table",
+                    path,
+                    float(value),
+                    at=f"{value:.4g} {unit}",
+                    end=f"{end:.4g} {unit}",
+                )
 
 
 def _lowest(wheel: Array) -> float:
@@ -290,7 +368,7 @@ def kc_test(
     to : float or str, optional
         End of the range (m, rad, N or N m, or with a unit); by default the usual one of the test.
     points : int
-        Number of samples of the loop.
+        Number of samples of the loop: 4 k + 1, so that its quarters are equal.
     travel : float or str
         Height of both pads above the design position before the test, m.
     steer : float or str, optional
@@ -326,12 +404,10 @@ def kc_test(
     >>> bool(sheet["left.camber"].max() > sheet["left.camber"].min())
     True
     """
-    if test not in TESTS:
-        raise unknown(test, TESTS, what="test", where="test")
-    rig, kind = axle_of(axle, on), TESTS[test]
-    rack = None if steer is None else to_si(steer, "m", where="steer")
-    laboratory = Laboratory(rig, to_si(travel, "m", where="travel"), rack)
-    return run_test(laboratory, kind, to, points, held, handwheel, trail)
+    return kc_tests(
+        axle, (test,), to=to, points=points, travel=travel, steer=steer, held=held, handwheel=handwheel,
+        trail=trail, on=on,
+    )[test]  # fmt: skip
 
 
 def run_test(
@@ -344,21 +420,7 @@ def run_test(
     trail: float | str | None = None,
 ) -> xr.Dataset:
     """Run a test in a laboratory."""
-    if test.kind == "rack" and not laboratory.axle.steered:
-        raise DescriptionError(
-            "this axle has no rack, so it cannot be steered",
-            where=test.name,
-            allowed="an axle with a tie rod or toe link",
-        )
-    end = test.range if to is None else to_si(to, test.unit, where="to")
-    if not _FEWEST <= points <= _MOST:
-        raise DescriptionError(
-            "too few or too many samples",
-            where="points",
-            found=Phrase(str(points)),
-            allowed=f"{_FEWEST} to {_MOST}",
-        )
-    inputs = loop(end, points, one_sided=test.one_sided)
+    inputs = laboratory.inputs(test, to, points)
     behind = test.trail if trail is None else to_si(trail, "m", where="trail")
     poses, findings = laboratory.run(test, inputs, held, handwheel, behind)
     variables = quantities(poses)
@@ -379,7 +441,17 @@ def run_test(
 
 
 def kc_tests(
-    axle: Rig, tests: tuple[str, ...] | None = None, **options: object
+    axle: Rig,
+    tests: Sequence[str] | None = None,
+    *,
+    to: float | str | None = None,
+    points: int = 41,
+    travel: float | str = 0.0,
+    steer: float | str | None = None,
+    held: Held = "load",
+    handwheel: Handwheel = "locked",
+    trail: float | str | None = None,
+    on: Literal["front", "rear"] | None = None,
 ) -> dict[str, xr.Dataset]:
     """Run all tests of a sheet that the axle can do, or those given.
 
@@ -387,10 +459,10 @@ def kc_tests(
     ----------
     axle : Rig
         A corner with hardpoints, a dependent axle, or a 3-D car.
-    tests : tuple of str, optional
+    tests : sequence of str, optional
         Tests by name; all by default.
-    **options
-        As for `kc_test`; ``to`` applies to every test.
+    to, points, travel, steer, held, handwheel, trail, on
+        As for `kc_test`; ``to`` applies to every test, so its unit must suit all.
 
     Returns
     -------
@@ -410,17 +482,9 @@ def kc_tests(
     >>> list(jn.kc_tests(jn.load("semi-trailing-arm"), ("bounce", "braking")))
     ['bounce', 'braking']
     """
-    which = options.pop("on", None)
-    rig = axle_of(axle, which)  # type: ignore[arg-type]
-    rack = options.pop("steer", None)
-    travel = to_si(options.pop("travel", 0.0), "m", where="travel")
-    laboratory = Laboratory(
-        rig,
-        travel,
-        None if rack is None else to_si(rack, "m", where="steer"),
-    )
-    for name in tests or ():
-        if name not in TESTS:
-            raise unknown(name, TESTS, what="test", where="tests")
-    names = tests or [name for name in TESTS if laboratory.axle.steered or name != "steer"]
-    return {name: run_test(laboratory, TESTS[name], **options) for name in names}  # type: ignore[arg-type]
+    rack = None if steer is None else to_si(steer, "m", where="steer")
+    laboratory = Laboratory(axle_of(axle, on), to_si(travel, "m", where="travel"), rack)
+    return {
+        name: run_test(laboratory, TESTS[name], to, points, held, handwheel, trail)
+        for name in laboratory.names(tests)
+    }

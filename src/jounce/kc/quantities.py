@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -59,6 +60,51 @@ def turned(pose: Numbers, direction: Numbers) -> Numbers:
     """Return a direction of the design turned with poses (..., 12), shape (..., 3)."""
     rows = pose[..., 3:].reshape(*pose.shape[:-1], 3, 3)
     return np.asarray((rows * direction[..., None, :]).sum(axis=-1))
+
+
+def table_deflections(poses: Poses) -> Iterator[tuple[Element, int, Array]]:
+    """Yield element, direction and deflections at the samples, m or rad, of each direction with a table."""
+    places = poses.places()
+    lengths = poses.settled.forces.reshape(len(places), -1, 6)[:, :, 1]
+    for i, element in enumerate(poses.axle.assembly.elements):
+        tables = [k for k, law in enumerate(element.laws) if law and law.kind == eq.TABLE]
+        if not tables:
+            continue
+        data = np.real(element.data[:, 0])
+        if element.kind == eq.LINE:
+            yield element, 0, data[eq.SIGN] * (data[eq.LENGTH] - lengths[:, i])
+            continue
+        first, second = (
+            _STILL if body == GROUND else places[:, body]
+            for body in (element.first, element.second)
+        )
+        point, axes = data[eq.P : eq.P + 3], data[eq.A : eq.A + 9].reshape(3, 3)
+        gap = moved(second, point) - moved(first, point)
+        about = np.sign(np.linalg.det(axes)) * _rotation_vector(first, second) @ axes.T
+        for k in tables:
+            yield (
+                element,
+                k,
+                about[:, k - 3] if k > 2 else (turned(first, axes[k]) * gap).sum(axis=-1),
+            )
+
+
+_STILL = np.concatenate([np.zeros(3), np.eye(3).ravel()])[None]
+
+
+def _rotation_vector(first: Array, second: Array) -> Array:
+    """Return axis times angle of poses (n, 12) relative to others, in the axes of the others, shape (n, 3)."""
+    a, b = (pose[..., 3:].reshape(-1, 3, 3) for pose in (first, second))
+    inner = np.swapaxes(a, 1, 2) @ b
+    parts = [
+        inner[:, (i + 2) % 3, (i + 1) % 3] - inner[:, (i + 1) % 3, (i + 2) % 3] for i in range(3)
+    ]
+    sine = 0.5 * np.stack(parts, axis=-1)
+    size = np.linalg.norm(sine, axis=-1)
+    angle = np.arctan2(size, 0.5 * (np.trace(inner, axis1=1, axis2=2) - 1.0))
+    return np.asarray(
+        np.where(size > 0.0, angle / np.where(size > 0.0, size, 1.0), 1.0)[:, None] * sine
+    )
 
 
 def wheel_quantities(

@@ -185,7 +185,7 @@ def _of_travel(
                     allowed="a column of the roll angle, or the distance of the contact points",
                     hint='Give it: track="1.5 m", or track in the channel map.',
                 )
-            return (left - right) / track, "rad", quantity
+            return np.arctan2(left - right, track), "rad", quantity
     raise _no_input(test, TESTS[test].what, where)
 
 

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, unknown
+from jounce.core.errors import unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kc.dependent import build_axle
-from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of, loop
+from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
 from jounce.kc.quantities import Poses, quantities
 from jounce.kc.slopes import slope_unit
 from jounce.kc.tangents import DIRECTIONS, SETTLED, Tangents
@@ -114,15 +114,11 @@ def kc_sensitivities(  # noqa: PLR0913 - options of a test
     import xarray as xr
 
     rig = axle_of(axle, on)
-    names = (tests,) if isinstance(tests, str) else tests
-    for name in names or ():
-        if name not in TESTS:
-            raise unknown(name, TESTS, what="test", where="tests")
     paths = check_parameters(rig, parameters)
     rack = None if steer is None else to_si(steer, "m", where="steer")
     laboratory = Laboratory(rig, to_si(travel, "m", where="travel"), rack)
     tangents = Tangents(laboratory, paths)
-    names = names or [name for name in TESTS if laboratory.axle.steered or name != "steer"]
+    names = laboratory.names((tests,) if isinstance(tests, str) else tests)
     options = (to, points, held, handwheel, trail)
     each = [_of_test(tangents, TESTS[name], paths, quantities, *options) for name in names]
     if isinstance(tests, str):
@@ -130,23 +126,11 @@ def kc_sensitivities(  # noqa: PLR0913 - options of a test
     longest = max(part.sizes["sample"] for part in each)
     return xr.concat(
         [part.pad(sample=(0, longest - part.sizes["sample"])) for part in each],
-        xr.Variable("test", list(names)),
+        xr.Variable("test", names),
         data_vars="all",
         coords=["input", "slope_unit"],
         combine_attrs="drop_conflicts",
     )
-
-
-def inputs_of(laboratory: Laboratory, test: KCTest, to: float | str | None, points: int) -> Array:
-    """Return the inputs of a test, in SI."""
-    if test.kind == "rack" and not laboratory.axle.steered:
-        raise DescriptionError(
-            "this axle has no rack, so it cannot be steered",
-            where=test.name,
-            allowed="an axle with a tie rod or toe link",
-        )
-    end = test.range if to is None else to_si(to, test.unit, where="to")
-    return loop(end, points, one_sided=test.one_sided)
 
 
 def _of_test(
@@ -163,7 +147,7 @@ def _of_test(
     import xarray as xr
 
     laboratory = tangents.laboratory
-    inputs = inputs_of(laboratory, test, to, points)
+    inputs = laboratory.inputs(test, to, points)
     behind = test.trail if trail is None else to_si(trail, "m", where="trail")
     tangent, place = tangents.run(test, inputs, held, handwheel, behind)
     path = laboratory.path(test, inputs, held, handwheel, behind)

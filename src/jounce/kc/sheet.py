@@ -29,9 +29,6 @@ from jounce.parts.options import AnyRig
 if TYPE_CHECKING:
     import xarray as xr
 
-HELD = ("load", "height")
-HANDWHEEL = ("locked", "free")
-
 
 @dataclass(frozen=True)
 class KcTests(Plain):
@@ -316,9 +313,6 @@ def kc_sheet(  # noqa: PLR0913 - each is a setting of the laboratory
     (['bounce', 'lateral-in-phase'], 'mm')
     """
     described = as_rig(rig)
-    for given, known, where in ((held, HELD, "held"), (handwheel, HANDWHEEL, "handwheel")):
-        if given not in known:
-            raise unknown(given, known, what="setting", where=where)
     axle = axle_of(described, on)
     rack = None if steer is None else to_si(steer, "m", where="steer")
     ends = _ends(to)
@@ -332,8 +326,7 @@ def kc_sheet(  # noqa: PLR0913 - each is a setting of the laboratory
         )
     sheet = {} if not measured else _read(measured, channels, on)
     laboratory = Laboratory(axle, to_si(travel, "m", where="travel"), rack)
-    if tests is None and not laboratory.axle.steered:
-        names = [name for name in names if TESTS[name].kind != "rack"]
+    names = names if tests else laboratory.names(None)
     done: dict[str, xr.Dataset] = {}
     failed: list[tuple[Finding, JounceError]] = []
     for k, name in enumerate(names, 1):

@@ -195,7 +195,7 @@ class Tangents:
         if test.kind == "roll":
             wide = (self.axle.assembly.wheels[0].centre - self.axle.assembly.wheels[1].centre)[1]
             change = wide.imag / STEP
-            targets[:, left] = self.heights[0] - self.heights[1] + inputs[:, None] * change
+            targets[:, left] = self.heights[0] - self.heights[1] + np.tan(inputs)[:, None] * change
             targets[:, right] = self.forces[left] + self.forces[right]
         elif test.kind != "heights" and held == "load":
             targets[:, at] = self.forces[at]
@@ -369,8 +369,9 @@ class Tangents:
 
     def _rack(self, tangent: Tangent) -> dict[str, Array]:
         element = next(e for e in self.axle.assembly.elements if e.is_control)
-        at, along = element.data[:3], element.data[eq.ALONG : eq.ALONG + 3].T
-        travel = ((tangent.point(self.axle.bodies["rack"], at) - at.T) * along).sum(axis=-1)
+        at, along = element.data[:3], element.data[eq.ALONG : eq.ALONG + 3]
+        apart = tangent.point(self.axle.bodies["rack"], at) - tangent.point(element.first, at)
+        travel = (apart * tangent.direction(element.first, along)).sum(axis=-1)  # in its housing
         place = self.laboratory.multipliers + self.laboratory.controls.index("rack")
         return {"rack_travel": travel.imag / STEP, "rack_force": tangent.rows[:, place]}
 

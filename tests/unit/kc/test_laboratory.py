@@ -121,7 +121,7 @@ def test_inboard_brakes_leave_the_carrier_unturned() -> None:
 
 
 def test_a_free_handwheel_lets_the_rack_move() -> None:
-    rig = soft()
+    rig = soft().with_changes({"steering": {"rack_travel": 0.0}})
     locked, free = (
         jn.kc_test(rig, "aligning-in-phase", handwheel=way) for way in ("locked", "free")
     )
@@ -189,6 +189,48 @@ def test_axles_with_all_compliance_and_friction_do_every_test(name: str) -> None
         assert not test.attrs["findings"]
 
 
+def test_pads_roll_by_the_stated_angle() -> None:
+    test = jn.kc_test(jn.load("reference-double-wishbone"), "roll", to="5 deg")
+    heights = (test[f"{side}.contact_point_z"].values for side in ("left", "right"))
+    angle = np.arctan((next(heights) - next(heights)) / test.attrs["track"])
+    assert angle == pytest.approx(test["input"].values, abs=1e-12)
+
+
+def test_an_arm_may_be_held_by_two_bodies() -> None:
+    """A very stiff subframe under one end of an arm leaves the kinematics of one under both."""
+    stiff = {"stiffness": ["1e9 N/m"] * 3, "rotational_stiffness": ["1e9 N*m/rad"] * 3}
+    rig = jn.load("reference-double-wishbone")
+    frame = {"carries": ["lower_arm_front"], "mounts": [{"point": [0.1, 0.3, 0.15], **stiff}]}
+    held = jn.kc_test(rig.with_changes({"subframe": frame}), "lateral-opposed", to="1 N")
+    fixed = jn.kc_test(rig, "lateral-opposed", to="1 N")
+    assert held["left.toe"].values == pytest.approx(fixed["left.toe"].values, abs=1e-7)
+    assert not held.attrs["findings"]
+    soft_mount = {**stiff, "stiffness": ["1e6 N/m"] * 3}
+    soft_frame = {**frame, "mounts": [{"point": [0.1, 0.3, 0.15], **soft_mount}]}
+    yields = jn.kc_test(rig.with_changes({"subframe": soft_frame}), "lateral-opposed", to="1 kN")
+    assert np.ptp(yields["left.toe"].values) > 1e-4
+
+
+def test_pads_that_would_have_to_pull_are_named() -> None:
+    light = jn.load("reference-double-wishbone").with_changes({"strut.spring.preload": 500.0})
+    test = jn.kc_test(light, "bounce")
+    assert test["left.vertical_force"].min() < 0.0
+    (left, right) = (item for item in test.attrs["findings"] if "would have to pull" in item)
+    assert "left wheel" in left
+    assert "right wheel" in right
+    assert not jn.kc_test(jn.load("reference-double-wishbone"), "bounce").attrs["findings"]
+
+
+@pytest.mark.parametrize(("key", "unit"), [("x", "m"), ("rx", "rad")])
+def test_curves_beyond_their_tables_are_named(key: str, unit: str) -> None:
+    at, load = ("deflection", "force") if key == "x" else ("angle", "torque")
+    table = {"kind": "table", at: [-1e-5, 0.0, 1e-5], load: [-80.0, 0.0, 80.0]}
+    rig = soft(points=("lower_arm_front", "lower_arm_rear"), curves={key: table})
+    test = jn.kc_test(rig, "braking")
+    said = [item for item in test.attrs["findings"] if "was continued straight" in item]
+    assert any("lower_arm_front" in item and f"1e-05 {unit}" in item for item in said)
+
+
 def test_a_loose_motion_is_named() -> None:
     rig = soft(points=("lower_arm_front", "lower_arm_rear"), stiffness=["0 N/m", "0 N/m", "0 N/m"])
     with pytest.raises(SimulationError, match=r"not held: (left|right)\."):
@@ -207,8 +249,13 @@ def test_a_load_beyond_the_mechanism_says_until_where_it_came() -> None:
     [
         ("reference-double-wishbone", "lateral", {}, "unknown test"),
         ("semi-trailing-arm", "steer", {}, "no rack"),
-        ("reference-double-wishbone", "bounce", {"points": 3}, "too few or too many samples"),
-        ("reference-double-wishbone", "bounce", {"points": 10**12}, "too many samples"),
+        ("reference-double-wishbone", "bounce", {"points": 3}, "not a number of samples"),
+        ("reference-double-wishbone", "bounce", {"points": 10**12}, "not a number of samples"),
+        ("reference-double-wishbone", "bounce", {"points": 42}, "not a number of samples"),
+        ("reference-double-wishbone", "bounce", {"to": "0 mm"}, "without a range"),
+        ("reference-double-wishbone", "bounce", {"held": "both"}, "unknown setting"),
+        ("reference-double-wishbone", "bounce", {"handwheel": "loose"}, "unknown setting"),
+        ("semi-trailing-arm", "braking", {"handwheel": "free"}, "no handwheel"),
         ("reference-double-wishbone", "bounce", {"on": "middle"}, "unknown axle"),
         ("sedan-full-car-3d", "bounce", {}, "which axle"),
         ("kart-quarter-car", "bounce", {}, "lumped"),
