@@ -21,7 +21,7 @@ from jounce.core.writing import check_writable, write_atomically
 from jounce.exchange.corners import corner_of, require_parts
 from jounce.parts import Rig, as_rig
 from jounce.parts.bodies import INERTIA_ELEMENTS, RigidBody
-from jounce.parts.corners import SAME_POINT, Corner, DoubleWishbone, FiveLink, McPherson
+from jounce.parts.corners import Corner, DoubleWishbone, FiveLink, McPherson
 from jounce.parts.curves import TableCurve
 from jounce.parts.dampers import LinearDamper, MapDamper
 from jounce.parts.importers.chrono import (
@@ -34,6 +34,7 @@ from jounce.parts.importers.chrono import (
 )
 from jounce.parts.leverage import force_at
 from jounce.parts.options import AnyRig
+from jounce.parts.points import SAME_POINT
 
 _RADIUS = {"Spindle": 0.1, "Upright": 0.025}  # m, body radii in Chrono's graphics; default 0.02 m
 _SPINDLE_SHARE, _SPINDLE_SIZE = (

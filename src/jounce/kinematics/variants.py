@@ -18,7 +18,7 @@ from jounce.kinematics.axle import AxleVariables, TwoWheelAxle, check_roll, roll
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, sweep_values
 from jounce.parts import Corner, Rig
-from jounce.parts.corners import LARGE
+from jounce.parts.points import LARGE
 from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.carried import by_path
 

@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike
 from jounce.core.findings import Finding, at_place, finding
 from jounce.core.remembered import once_per_object
 from jounce.core.text import place_in
+from jounce.parts.axles import DependentAxle
 from jounce.parts.bushings import Mount
 from jounce.parts.compliance import bushings_of, compliance_findings
-from jounce.parts.corners import LARGE, Corner
+from jounce.parts.corners import Corner
 from jounce.parts.dampers import MapDamper, VelocityTable
 from jounce.parts.leverage import (
     carried_beside_spring,
@@ -23,6 +24,7 @@ from jounce.parts.leverage import (
     static_spring_force,
     static_tyre_deflection,
 )
+from jounce.parts.points import LARGE
 from jounce.parts.rig import Rig, questions
 from jounce.parts.vehicles import (
     Axle,
@@ -120,6 +122,8 @@ def _check_all(rig: Rig) -> tuple[Finding, ...]:
             if isinstance(rig, AnyVehicle)
             else _check_at_rest(rig)
             if isinstance(rig, QuarterCar)
+            else _check_dependent(rig)
+            if isinstance(rig, DependentAxle)
             else ()
         )
         findings = [*_check_estimated(rig), *lumped]
@@ -166,6 +170,15 @@ def _check_size(rig: Corner) -> Iterator[Finding]:
     mounts = {path: part for path, part in bushings_of(rig).items() if isinstance(part, Mount)}
     for path, mount in mounts.items():
         yield from size_findings({"point": mount.point}, path)
+    yield from _check_radius(rig)
+
+
+def _check_dependent(rig: DependentAxle) -> Iterator[Finding]:
+    yield from size_findings(rig.hardpoints.given(), "hardpoints")
+    yield from _check_radius(rig)
+
+
+def _check_radius(rig: Corner | DependentAxle) -> Iterator[Finding]:
     radius = rig.wheel.radius
     if radius > 2.0 or radius < 0.02:  # m: from a toy to a mine truck; the library has 0.13 to 0.47
         yield finding("parts.wheel_radius", "wheel.radius", radius, radius=radius)

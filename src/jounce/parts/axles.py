@@ -11,17 +11,18 @@ from jounce.core.description import Description
 from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import Acceleration, PositiveRotationalStiffness
-from jounce.parts.bodies import Point, distance
+from jounce.parts.bodies import Point
 from jounce.parts.bushings import Bushing, Link, WheelBearing
-from jounce.parts.corners import SAME_POINT, Wheel, write_point
+from jounce.parts.corners import Wheel
 from jounce.parts.elements import AntiRollBar, SpatialStrut
+from jounce.parts.points import SAME_POINT, Groups, NamedPoints, write_point
 from jounce.parts.rig import Rig
 
 CENTRED = 1e-6
 """Distance in m from the centre plane of the car within which a point is in it."""
 
 
-class AxleHardpoints(Description):
+class AxleHardpoints(NamedPoints):
     """Points of all dependent axles: design positions in m, x forward, y left, z up; the road is z = 0.
 
     Spring and damper act along the strut unless they have end points of their own.
@@ -38,45 +39,22 @@ class AxleHardpoints(Description):
     arb_arm_end: Point | None = None
     arb_link_end: Point | None = None
 
-    together: ClassVar[tuple[tuple[str, ...], ...]] = (
+    together: ClassVar[Groups] = (
         ("spring_bottom", "spring_top"),
         ("damper_bottom", "damper_top"),
         ("arb_pivot", "arb_arm_end", "arb_link_end"),
     )
-    """Groups whose points must be given all together or not at all."""
-    apart: ClassVar[tuple[tuple[str, str], ...]] = (
+    different: ClassVar[Groups] = (
         ("strut_bottom", "strut_top"),
         ("spring_bottom", "spring_top"),
         ("damper_bottom", "damper_top"),
         ("arb_arm_end", "arb_link_end"),
     )
-    """Pairs that must differ."""
     one_sided: ClassVar[tuple[str, ...]] = ()
     """Points that exist once and may lie anywhere."""
 
     @model_validator(mode="after")
-    def _can_be_built(self) -> Self:
-        kinds = [kind for kind in reversed(type(self).__mro__) if issubclass(kind, AxleHardpoints)]
-        for kind in kinds:
-            for group in vars(kind).get("together", ()):
-                missing = [name for name in group if getattr(self, name) is None]
-                if 0 < len(missing) < len(group):
-                    raise ValueError(
-                        Phrase(
-                            "{missing} is missing; give all of {group}, or none of them",
-                            missing=" and ".join(missing),
-                            group=", ".join(group),
-                        )
-                    )
-            for first, second in vars(kind).get("apart", ()):
-                a, b = getattr(self, first), getattr(self, second)
-                if a is not None and b is not None and distance(a, b) < SAME_POINT:
-                    raise error_at(
-                        (second,),
-                        Phrase("coincides with {name}", name=first),
-                        found=write_point(b),
-                        allowed="two points that differ",
-                    )
+    def _is_the_left_side(self) -> Self:
         for name in type(self).model_fields:
             point = getattr(self, name)
             if point is not None and name not in self.one_sided and point[1] < -CENTRED:
@@ -185,7 +163,7 @@ class SolidAxleHardpoints(AxleHardpoints):
         ("panhard_axle", "panhard_body"),
         ("watt_pivot", "watt_upper_axle", "watt_upper_body", "watt_lower_axle", "watt_lower_body"),
     )
-    apart = (
+    different = (
         ("lower_link_axle", "lower_link_body"),
         ("upper_link_axle", "upper_link_body"),
         ("panhard_axle", "panhard_body"),
@@ -276,7 +254,7 @@ class TwistBeamHardpoints(AxleHardpoints):
     pivot: Point
     shear_centre: Point
 
-    apart = (("pivot", "wheel_centre"),)
+    different = (("pivot", "wheel_centre"),)
     one_sided = ("shear_centre",)
 
     @model_validator(mode="after")

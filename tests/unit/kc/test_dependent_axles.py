@@ -9,7 +9,7 @@ from scipy.optimize import root
 import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.kc.dependent import build_axle, freedom
-from jounce.parts import SolidAxle
+from jounce.parts import SolidAxle, rig_findings
 
 LINK = np.array([0.5, 0.0, 0.0])
 PANHARD = np.array([0.0, -1.1, 0.04])
@@ -145,6 +145,7 @@ def test_an_axle_without_a_guide_is_refused() -> None:
         ({"hardpoints": POINTS | {"panhard_axle": [0.0, 0.5, 0.3]}}, "panhard_body is missing"),
         ({"hardpoints": POINTS | {"wheel_centre": [0.0, -0.7, 0.3]}}, "right side"),
         ({"hardpoints": POINTS | {"strut_top": [0.0, 0.5, 0.3]}}, "coincides"),
+        ({"hardpoints": POINTS | {"strut_top": [0.0, 500.0, 700.0]}}, "far from the other points"),
         ({"bushings": {"panhard_axle": {"stiffness": [1e6, 1e6, 1e6]}}}, "panhard_axle is missing"),
         ({"links": {"panhard": {"stiffness": 1e6}}}, "panhard_axle is missing"),
     ],
@@ -152,6 +153,14 @@ def test_an_axle_without_a_guide_is_refused() -> None:
 def test_impossible_axles_are_refused(changes: dict, message: str) -> None:
     with pytest.raises(DescriptionError, match=message):
         axle("none", **changes)
+
+
+def test_an_axle_in_metres_read_as_millimetres_is_reported() -> None:
+    small = {name: [1e-3 * value for value in point] for name, point in POINTS.items()}
+    (found,) = (
+        item for item in rig_findings(axle("none", hardpoints=small)) if "hardpoints" in item.place
+    )
+    assert found.code == "parts.size_millimetres"
 
 
 def test_what_an_axle_cannot_do_yet_is_said() -> None:
