@@ -232,6 +232,10 @@ _COMPILED = [(re.compile(pattern), quantity) for pattern, quantity in _PATTERNS]
 _COUNTERS = {"sample", "samples", "index", "no", "nr", "number", "point", "step", "cycle", "row"}
 
 
+_LOAD_OF_A_PART = re.compile(r"[\w.\[\]]+\.(?:(?:force|torque)(?:_[xyz])?|length|twist)")
+"""Headings of bushings, links and springs in jounce's own files, such as ``left.lower_arm_front.force_y``."""
+
+
 def is_counter(name: str) -> bool:
     """Whether a heading names time or a running number, which a sheet does not need."""
     return names_time(name) or name.strip().strip(".").lower() in _COUNTERS
@@ -244,9 +248,11 @@ def read_heading(name: str, unit: str = "") -> Heading | None:
     Heading(quantity='camber', wheel='left', axle='front', unit='deg')
     >>> read_heading("Fy Left N"), read_heading("Handwheel Angle").quantity, read_heading("Sturz links").wheel
     (Heading(quantity='lateral_force', wheel='left', axle='', unit='N'), 'handwheel_angle', 'left')
-    >>> read_heading("left.toe", "rad").wheel
-    'left'
+    >>> read_heading("left.toe", "rad").wheel, read_heading("left.lower_arm_front.force_y", "N")
+    ('left', None)
     """
+    if _LOAD_OF_A_PART.fullmatch(name):
+        return None
     words = _words(_own_part(name))
     if not unit and len(words) > 1 and words[-1] in _UNIT_WORDS:
         inner = read_heading(" ".join(words[:-1]), words[-1])

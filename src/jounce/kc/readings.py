@@ -135,7 +135,8 @@ def _with_wheels(
     if not bare:
         return channels
     if any(channel.wheel for channel in channels):
-        shared = [_as_input(channel, test, section.place, findings) for channel in bare]
+        has_input = any(channel.quantity == "input" for channel in channels)
+        shared = [_as_input(channel, test, section.place, findings, has_input) for channel in bare]
         return [item for item in channels if item not in bare] + [*filter(None, shared)]
     wheel: str = rig.wheel or _wheel_of(section.names)
     if not wheel:
@@ -145,13 +146,13 @@ def _with_wheels(
 
 
 def _as_input(
-    channel: Channel, test: str | None, place: str, findings: list[Finding]
+    channel: Channel, test: str | None, place: str, findings: list[Finding], has_input: bool
 ) -> Channel | None:
     """Return a column without a wheel, among columns with one, as the input of the test or the travel of both."""
     target = QUANTITIES[channel.quantity].target or channel.quantity
     if target in ("contact_point_z", "wheel_centre_z") and test in (None, "bounce"):
         wheel = "both"
-    elif test is not None and INPUTS[TESTS[test].kind] == target:
+    elif test is not None and INPUTS[TESTS[test].kind] == target and not has_input:
         wheel = "input"
     else:
         findings.append(finding("kc.no_wheel", place, column=channel.label))

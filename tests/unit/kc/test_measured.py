@@ -519,3 +519,30 @@ def test_a_test_is_recognised_by_what_moves(rig: Any) -> None:
         sheet = jn.read_kc(rig.write("run.csv", rig.columns(test)), convention="iso")
         assert list(sheet) == [test]
         assert "kc.test_recognised" in codes(sheet, serious=False)
+
+
+@pytest.mark.parametrize("name", ["mcpherson-elastic", "solid-axle"])
+def test_files_of_simulated_tests_are_read_as_they_are(name: str, tmp_path: Path) -> None:
+    """Their parts have loads of their own, which are no forces of the road; the input is the column of that name."""
+    sheet = jn.kc_sheet(name)
+    files = {file: text for file, text in sheet.files().items() if file.startswith("tests/")}
+    for file, text in files.items():
+        (tmp_path / Path(file).name).write_text(str(text))
+    read = jn.read_kc(sorted(tmp_path.iterdir()))
+    assert set(read) == set(sheet.tests)
+    for test, own in sheet.tests.items():
+        assert read[test]["input"].values == pytest.approx(own["input"].values, rel=1e-10)
+        for quantity in ("left.toe", "right.camber", "left.vertical_force", "left.lateral_force"):
+            assert read[test][quantity].values == pytest.approx(
+                own[quantity].values, rel=1e-9, abs=1e-12
+            )
+    verdicts = jn.compare_kc(sheet.tests, read)["verdict"].values
+    assert set(verdicts) <= {"within", "not judged"}
+    assert (verdicts == "within").sum() > 100
+
+
+def test_a_column_without_a_wheel_does_not_replace_the_input(tmp_path: Path) -> None:
+    rows = "\n".join(f"{100 * k},{0.01 * k},{k % 3}" for k in range(-5, 6))
+    (tmp_path / "lateral in phase.csv").write_text(f"input [N],Toe L [deg],Fy [N]\n{rows}\n")
+    read = jn.read_kc(tmp_path / "lateral in phase.csv")["lateral-in-phase"]
+    assert read["input"].values == pytest.approx(100.0 * np.arange(-5, 6))
