@@ -212,13 +212,16 @@ class Both:
             self.states[travel, rack] = kc_tests.Rig(self.oracle, travel, rack)
         return self.states[travel, rack]
 
-    def compare(self, test: str, travel: float = 0.0, rack: float = 0.0, **options) -> None:
+    def compare(
+        self, test: str, travel: float = 0.0, rack: float = 0.0, loops: int = 1, **options
+    ) -> None:
         given = {"points": POINTS, "travel": travel, **options}
         if self.is_steered:
             given["steer"] = rack
         sheet = jn.kc_test(self.rig, test, **given)
         own = {key: options[key] for key in ("held", "handwheel", "trail") if key in options}
-        states = self.state(travel, rack).run(test, sheet["input"].values, **own)
+        inputs = sheet["input"].values
+        states = self.state(travel, rack).run(test, np.tile(inputs, loops), **own)[-len(inputs) :]
         rows = [kc_tests.quantities(state, self.table) for state in states]
         assert set(rows[0]) == {str(name) for name in sheet.data_vars}
         wrong = {}
@@ -274,7 +277,7 @@ def test_loops_of_friction(test: str) -> None:
             "strut.friction": {"force": 80.0},
         }
     )
-    Both(rig, 0.05).compare(test, points=21)
+    Both(rig, 0.05).compare(test, points=21, loops=2)
 
 
 @pytest.mark.parametrize("rig", [mcpherson, solid_axle, twist_beam])

@@ -102,10 +102,21 @@ class Laboratory:
         if settled.outcome[-1] != eq.SETTLED:
             raise self._failure("the body at ride height")
         values = path.targets[-1]
-        n = self.bodies
-        start = (space.pose[n : 2 * n].copy(), space.multipliers[1].copy(), space.slipped.copy())
+        start = self._reached(space)
         heights = np.array([values[self.controls.index(f"{side}.contact")] for side in SIDES])
         return State(start, heights, rack, settled.multipliers[-1, self.multipliers :])
+
+    def _reached(self, space: eq.Space) -> tuple[Array, Array, Array]:
+        """Return pose, multipliers and slipped deflections at the end of a path."""
+        n = self.bodies
+        return space.pose[n : 2 * n].copy(), space.multipliers[1].copy(), space.slipped.copy()
+
+    @property
+    def has_friction(self) -> bool:
+        """Whether any part of the axle has dry friction."""
+        kinds, data = self.arrays.kinds[:, 0], self.arrays.data
+        held = data[kinds == eq.BUSHING, eq.B : eq.B + 6], data[kinds == eq.LINE, eq.HOLD]
+        return any(bool((part > 0.0).any()) for part in held)
 
     # paths -----------------------------------------------------------------------------------------------------------
 
@@ -223,9 +234,15 @@ class Laboratory:
     def run(
         self, test: KCTest, inputs: Array, held: Held, handwheel: Handwheel, trail: float
     ) -> tuple[Poses, list[Finding]]:
-        """Run a test; return its poses and findings."""
+        """Run a test; return its poses and findings.
+
+        With friction the first loop starts in the middle, where nothing has slipped; as in a laboratory, the second one
+        is kept, which closes to within some thousandths of its range.
+        """
         path = self.path(test, inputs, held, handwheel, trail)
-        settled, _ = self._follow(*path, self.state.start)
+        settled, space = self._follow(*path, self.state.start)
+        if self.has_friction and (settled.outcome == eq.SETTLED).all():
+            settled, _ = self._follow(*path, self._reached(space))
         findings = [finding("kc.left_out", name) for name in self.axle.left_out]
         reached = settled.outcome == eq.SETTLED
         if not reached.all():
@@ -356,7 +373,8 @@ def kc_test(
 
     The axle is a corner and its mirror image, with all bushings, mounts and springs of the description. Each sample is
     an exact static equilibrium with large motions; the input runs from zero to the end of the range, to its opposite
-    and back. Dry friction opens the curves to loops.
+    and back. Dry friction opens the curves to loops; the loop is then run twice, and the second is kept, which closes
+    to within some thousandths of its range.
 
     Parameters
     ----------

@@ -168,11 +168,12 @@ class Tangents:
     ) -> tuple[Tangent, NDArray[np.int_]]:
         """Follow a test with slopes; return its steps, and which of them each sample is.
 
-        Without friction, each input is settled once.
+        Without friction, each input is settled once; with it, the second of two loops is kept, as in `Laboratory.run`.
         """
         if self.frictions:
-            tangent = self._follow_test(test, inputs, held, handwheel, trail)
-            return tangent, np.arange(len(inputs))
+            twice = np.concatenate([inputs, inputs])
+            tangent = self._follow_test(test, twice, held, handwheel, trail)
+            return tangent, len(inputs) + np.arange(len(inputs))
         reached = np.unique(np.round(inputs, 15))
         ahead, back = reached[reached > 0.0], reached[reached < 0.0][::-1]
         branches = [np.append(0.0, branch) for branch in (ahead, back)]  # each from the start

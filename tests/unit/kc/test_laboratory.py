@@ -130,6 +130,24 @@ def test_a_free_handwheel_lets_the_rack_move() -> None:
     assert np.ptp(free["rack_force"].values) < 1e-6
 
 
+@pytest.mark.parametrize("name", ["lateral-in-phase", "aligning-in-phase", "lateral-opposed"])
+def test_loops_of_friction_close_and_are_the_same_on_both_sides(name: str) -> None:
+    """A symmetric axle answers with mirrored loops, though the test begins on one side.
+
+    Each further loop brings both a hundred times nearer; from the first they differ in the sign of a slope.
+    """
+    test = jn.kc_test(jn.load("mcpherson-elastic"), name)
+    sign = 1.0 if name.endswith("opposed") else -1.0
+    slopes = jn.kc_slopes(test)["slope"]
+    for quantity in ("toe", "camber", "caster", "spin"):
+        values = test[f"left.{quantity}"].values
+        assert values[0] == pytest.approx(values[-1], abs=5e-3 * np.ptp(values))
+        left, right = (float(slopes.sel(quantity=f"{s}.{quantity}")) for s in ("left", "right"))
+        assert left == pytest.approx(
+            sign * right, rel=2.5e-2, abs=1e-3 * abs(float(slopes.sel(quantity="left.toe")))
+        )
+
+
 def test_slopes_by_hardpoints_and_stiffnesses_are_exact() -> None:
     names = ("lower_arm_front", "tie_rod_inner", "upper_ball_joint", "strut_bottom")
     rig = soft(points=names).with_changes({"links": {"tie_rod": {"stiffness": "50 kN/mm"}}})
