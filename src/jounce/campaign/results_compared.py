@@ -126,9 +126,9 @@ def compare_results(results: Mapping[str, Path | str | Mapping[str, Any]]) -> Co
     >>> second = {"schema": "jounce.results/1", "updates": [], "trials": []}
     >>> print(jn.compare_results({"first": first, "second": second}))
     Results
-    quantity                               first  second  unit
-    ──────────────────────  ────────────────────  ──────  ────
-    all: objective                        0.2000       –     1
+    quantity                                first  second  unit
+    ──────────────────────  ─────────────────────  ──────  ────
+    all: objective                         0.2000       –
     all: strut.spring.rate  22.00 (21.00 … 23.00)       –  N/mm
     """
     if len(results) < 2:

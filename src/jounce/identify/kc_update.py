@@ -200,7 +200,7 @@ def update_kc(
     >>> truth = rig.with_changes({"hardpoints.tie_rod_inner[2]": rig.hardpoints.tie_rod_inner[2] + 0.002})
     >>> sheet = jn.kc_test(truth, "bounce", points=21)                        # a virtual rig
     >>> fit = jn.update_kc(rig, sheet, {"hardpoints.tie_rod_inner[2]": "5 mm"})
-    >>> round(1e3 * (fit.parameters["hardpoints.tie_rod_inner[2]"].value - rig.hardpoints.tie_rod_inner[2]), 2)
+    >>> round(1e3 * (fit.parameters["hardpoints.tie_rod_inner[2]"].value - rig.hardpoints.tie_rod_inner[2]), 1)
     2.0
     """
     rig = axle_of(axle, on)
