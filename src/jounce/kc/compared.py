@@ -14,14 +14,12 @@ from jounce.core.units import to_si
 from jounce.kc.loops import lines_of
 from jounce.kc.slopes import kc_slopes, slope_unit
 from jounce.kc.tests import TESTS
-from jounce.kc.vocabulary import WHEELS, quantity_name
+from jounce.kc.vocabulary import READING, WHEELS, quantity_name
 
 if TYPE_CHECKING:
     import xarray as xr
 
 _SHARE, _NOISE, _GRID = 0.1, 3.0, 201
-_READING = {"rad": 1.75e-4, "m": 1e-4, "N": 10.0, "N*m": 1.0}
-"""Differences, SI, below what a laboratory reads: 0.01 deg, 0.1 mm, 10 N, 1 N m."""
 _NUMBERS = {
     "slope_simulated": "slope of the simulated curve",
     "slope_measured": "slope of the measured curve",
@@ -228,7 +226,7 @@ def _allowed(
     given = next((tolerances[k] for k in _keys(test, str(measured.name)) if k in tolerances), None)
     if given is None:
         noise = float(measured.attrs.get("noise", 0.0))
-        return max(_SHARE * span + _NOISE * noise, _READING.get(unit, 0.0))
+        return max(_SHARE * span + _NOISE * noise, READING.get(unit, 0.0))
     if isinstance(given, str) and given.strip().endswith("%"):
         share = to_si(given, "1", where=f"tolerances: {measured.name}")
         allowed = share * span

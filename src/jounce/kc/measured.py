@@ -22,7 +22,7 @@ from jounce.kc.rig_tests import named_test, recognised_test, swept_input
 from jounce.kc.sections import Section, read_sections
 from jounce.kc.sheet_checks import check_sheet, check_test
 from jounce.kc.tests import TESTS
-from jounce.kc.vocabulary import QUANTITIES, ZEROED, KcQuantity, quantity_name
+from jounce.kc.vocabulary import QUANTITIES, READING, ZEROED, KcQuantity, quantity_name
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -236,7 +236,7 @@ def _dataset(
         lines, spread = lines_of(sweep, values[name], inputs), noise_of(values[name])
         quantity = QUANTITIES[quantity_name(name)]
         reach = _span(lines.mean)
-        if reach > _CLEAR * spread:
+        if reach > _CLEAR * spread and lines.opening > _reading_of(name):
             openings[name] = lines.opening / max(reach, 1e-300)
         about: dict[str, Any] = {"units": quantity.unit, "long_name": quantity.label}
         about |= {"positive": quantity.positive} if quantity.positive else {}
@@ -335,12 +335,17 @@ def _loop_findings(
         gaps = {
             name: abs(float(array[-1] - array[0])) / max(_span(array), 1e-300)
             for name, array in values.items()
-            if abs(float(array[-1] - array[0])) > 6.0 * noise_of(array)
+            if abs(float(array[-1] - array[0])) > max(6.0 * noise_of(array), _reading_of(name))
         }
         if gaps and max(gaps.values()) > _OPEN:
             name = max(gaps, key=lambda name: gaps[name])
             findings.append(finding("kc.loop_open", place, gaps[name], name=name, share=gaps[name]))
     return findings
+
+
+def _reading_of(name: str) -> float:
+    """Return the least opening of a loop that is told; means of many samples are finer than one reading."""
+    return 0.1 * READING.get(QUANTITIES[quantity_name(name)].unit, 0.0)
 
 
 def _span(values: Array) -> float:

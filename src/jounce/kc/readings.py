@@ -28,6 +28,7 @@ from jounce.kc.tests import TESTS
 from jounce.kc.vocabulary import INPUTS, QUANTITIES, WHEELS
 
 _ANGLES = ("rad", "deg")
+_NAMED = 6  # columns that a finding names; own sheets of elastic axles have hundreds
 
 
 @dataclass(frozen=True)
@@ -93,13 +94,22 @@ def channels_of(section: Section, rig: KcMap, test: str | None) -> tuple[list[Ch
     return channels, unknown
 
 
+def _some_of(names: list[str]) -> list[str]:
+    """Name the first columns, and how many more there are.
+
+    >>> _some_of(["a", "b"]), _some_of([*"abcdefgh"])
+    (['a', 'b'], ['a', 'b', 'c', 'd', 'e', '… (8 in all)'])
+    """
+    return names if len(names) <= _NAMED else [*names[: _NAMED - 1], f"… ({len(names)} in all)"]
+
+
 def read_section(section: Section, rig: KcMap, signs: SignConvention, test: str | None) -> Readings:
     """Convert the columns of a table to jounce's units and signs; ``test`` is None as long as it is not known."""
     result = Readings()
     channels, unknown = channels_of(section, rig, test)
     place = section.place
     if unknown:
-        result.findings.append(finding("kc.not_recognised", place, columns=unknown))
+        result.findings.append(finding("kc.not_recognised", place, columns=_some_of(unknown)))
     channels = _with_wheels(channels, section, rig, test, result.findings)
     assumed = []
     base: float | Array | None = rig.gauge_base

@@ -113,6 +113,8 @@ ZEROED = ("wheel_centre_x", "wheel_centre_y", "wheel_centre_z",
           "contact_point_x", "contact_point_y", "contact_point_z", "spin")  # fmt: skip
 """Movements from the design position: measured sheets are zeroed where the input is zero."""
 WHEELS = ("left", "right")
+READING = {"rad": 1.75e-4, "m": 1e-4, "N": 10.0, "N*m": 1.0}
+"""Differences, SI, below what a laboratory reads: 0.01 deg, 0.1 mm, 10 N, 1 N m."""
 
 
 def quantity_name(variable: str) -> str:

@@ -93,7 +93,7 @@ def _overview(run: KcTests) -> list[Block]:
     if run.compared is not None:
         blocks += [
             Paragraph(_verdict(run.compared)),
-            _comparison("Model and measurement", run.compared),
+            _compared_tests(run.compared),
         ]
     rows, before = [], ""
     for row in run.overview:
@@ -110,7 +110,9 @@ def _overview(run: KcTests) -> list[Block]:
         "support angle if the links lift the body (anti-dive, anti-squat; anti-lift is negative)."
     )
     table = PageTable("Characteristics", header, tuple(rows), "lllrrrr", note)
-    return [*blocks, *findings_blocks(run.findings), table]
+    serious = [item for item in run.findings if item.severity != "note"]
+    notes = [item for item in run.findings if item.severity == "note"]
+    return [*blocks, *findings_blocks(serious), table, *findings_blocks(notes)]
 
 
 def _verdict(compared: xr.Dataset) -> str:
@@ -124,38 +126,64 @@ def _verdict(compared: xr.Dataset) -> str:
     )
 
 
-def _comparison(caption: str, compared: xr.Dataset) -> PageTable:
-    """Return the verdict on each measured curve, those outside first."""
+def _compared_tests(compared: xr.Dataset) -> PageTable:
+    """Return a row for each measured test: how many curves agree, and which is furthest from the model."""
+    rows: list[tuple[Cell | str, ...]] = []
+    tests = [str(name) for name in compared["test"].values]
+    for test in dict.fromkeys(tests):
+        own = compared.isel(row=[name == test for name in tests])
+        judged = own.isel(row=own["verdict"].values != "not judged")
+        inside = int((judged["verdict"].values == "within").sum())
+        count = f"{judged.sizes['row']}" if judged.sizes["row"] else "not judged"
+        agreed = Cell(f"{inside}", "good" if inside == judged.sizes["row"] else "bad")
+        furthest: tuple[Cell | str, ...] = ("", "", "", "")
+        if judged.sizes["row"]:
+            shares = judged["difference"].values / judged["tolerance"].values
+            furthest = _judged(judged.isel(row=int(np.argmax(shares))))
+        rows.append((_heading(test), count, agreed if judged.sizes["row"] else "", *furthest))
+    header = (
+        "test", "curves", "within", "furthest from the model", "largest difference", "allowed", "leaves it at",
+    )  # fmt: skip
+    return PageTable("Model and measurement", header, tuple(rows), "lrrlrrr")
+
+
+def _comparison(compared: xr.Dataset) -> PageTable:
+    """Return the verdict on each measured curve of a test, those outside first."""
     order = {"outside": 0, "within": 1}
     verdicts = [str(value) for value in compared["verdict"].values]
     places = sorted(range(len(verdicts)), key=lambda k: order.get(verdicts[k], 2))
     rows: list[tuple[Cell | str, ...]] = []
     for k in places:
         item = compared.isel(row=k)
-        test, unit = str(item["test"].values), str(item["unit"].values)
-        input_unit = TESTS[test].unit if test in TESTS else ""
-        own, slope = usual_unit(unit), _slope_unit(test, unit, input_unit)
-        at = _input_unit(input_unit)
-        values = {name: float(item[name]) for name in (
-            "slope_simulated", "slope_measured", "difference", "tolerance", "leaves_at"
-        )}  # fmt: skip
+        test = str(item["test"].values)
+        slope = _slope_unit(test, str(item["unit"].values), _unit_of_input(test))
+        slopes = [
+            usual_text(float(item[f"slope_{side}"]), slope) for side in ("simulated", "measured")
+        ]
         tone = {"outside": "bad", "within": "good"}.get(verdicts[k], "muted")
-        rows.append(
-            (
-                _heading(test),
-                _words(str(item["quantity"].values)),
-                slope.name,
-                *(usual_text(values[f"slope_{side}"], slope) for side in ("simulated", "measured")),
-                f"{usual_text(values['difference'], own)} {own.name}",
-                f"{usual_text(values['tolerance'], own)} {own.name}",
-                Cell(verdicts[k], tone),  # type: ignore[arg-type]
-                _at(values["leaves_at"], at) if verdicts[k] == "outside" else "",
-            )
-        )
+        quantity, difference, tolerance, leaves_at = _judged(item)
+        verdict = Cell(verdicts[k], tone)  # type: ignore[arg-type]
+        rows.append((quantity, slope.name, *slopes, difference, tolerance, verdict, leaves_at))
     header = (
-        "test", "quantity", "unit", "model", "measured", "largest difference", "allowed", "verdict", "leaves it at",
+        "quantity", "unit", "model", "measured", "largest difference", "allowed", "verdict", "leaves it at",
     )  # fmt: skip
-    return PageTable(caption, header, tuple(rows), "lllrrrrlr")
+    return PageTable("Model and measurement", header, tuple(rows), "llrrrrlr")
+
+
+def _judged(item: xr.Dataset) -> tuple[str, str, str, str]:
+    """Write quantity, largest difference, tolerance, and the input at which a curve leaves it."""
+    own = usual_unit(str(item["unit"].values))
+    difference, tolerance = (
+        f"{usual_text(float(item[name]), own)} {own.name}" for name in ("difference", "tolerance")
+    )
+    is_outside = str(item["verdict"].values) == "outside"
+    unit = _input_unit(_unit_of_input(str(item["test"].values)))
+    leaves_at = _at(float(item["leaves_at"]), unit) if is_outside else ""
+    return _words(str(item["quantity"].values)), difference, tolerance, leaves_at
+
+
+def _unit_of_input(test: str) -> str:
+    return TESTS[test].unit if test in TESTS else ""
 
 
 def _slope_unit(test: str, unit: str, input_unit: str) -> DisplayUnit:
@@ -222,7 +250,7 @@ def _test_blocks(run: KcTests, name: str) -> tuple[Block, ...]:
     if run.compared is not None:
         own = np.flatnonzero(run.compared["test"].values == name)
         if own.size:
-            blocks.append(_comparison("Model and measurement", run.compared.isel(row=own)))
+            blocks.append(_comparison(run.compared.isel(row=own)))
     findings = (
         *findings_of(run.tests[name].attrs),
         *(findings_of(measured.attrs) if measured is not None else ()),
