@@ -96,6 +96,7 @@ def test_every_page_shows_what_it_is_about(
     engine.go("about:blank")
     assert engine.evaluate("navigator.language") == "C"
     engine.go(f"{project}?token={TOKEN}")
+    engine.until("document.documentElement.dataset.ready")  # to leave earlier breaks off its scripts
     if language == "de":
         engine.evaluate("localStorage.setItem('jounce-language', 'de')")
         engine.go("about:blank")
@@ -154,11 +155,11 @@ def test_a_hardpoint_is_dragged_in_plain_views(
     assert np.linalg.norm(moved) == pytest.approx(np.hypot(across, upward))
     written = ", ".join(f'"{value:.9g} mm"' for value in before + moved)
     engine.until(
-        f"document.querySelector('textarea:not(.pasting)').value.includes({json.dumps(written)})"
+        f"document.querySelector('textarea[aria-label^=text]').value.includes({json.dumps(written)})"
     )
     press(engine, "Undo")
     engine.until(
-        "document.querySelector('textarea:not(.pasting)').value.includes('-9.8 mm\", \"303.25 mm\", \"270.83 mm')"
+        "document.querySelector('textarea[aria-label^=text]').value.includes('-9.8 mm\", \"303.25 mm\", \"270.83 mm')"
     )
     assert engine.troubles == []
 

@@ -266,7 +266,7 @@ def test_a_large_recording_shows_how_far_it_is_read(page: Any, where: str) -> No
     page.route(asked, lambda route: held.append(route))  # noqa: PLW0108 - it needs a function of Python
     page.route("**/api/data/reading", lambda route: route.fulfill(json=reading))
     page.evaluate("where => { location.hash = where; }", f"/{where}?path=first.csv")
-    first, other = (page.locator(".reading").nth(k) for k in (0, 1))
+    first, other = (page.locator(".being-read").nth(k) for k in (0, 1))
     first.wait_for()
     assert first.inner_text().split("\n") == ["Reading first.csv", "42 %, 2 s"]
     assert (
@@ -278,7 +278,7 @@ def test_a_large_recording_shows_how_far_it_is_read(page: Any, where: str) -> No
     for route in held:
         route.continue_()
     page.locator(".u-over").first.wait_for()
-    assert page.locator(".reading").count() == 0
+    assert page.locator(".being-read").count() == 0
 
 
 def test_undo_goes_back_to_what_was_opened(page: Any, workbench: tuple[Path, int]) -> None:

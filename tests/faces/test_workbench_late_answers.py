@@ -450,11 +450,11 @@ def test_a_file_that_arrives_late_does_not_take_the_place_of_the_one_that_is_ent
     page.locator(".drop input[type=file]").set_input_files([{"name": "late.csv", **content}])
     files.come()
     page.get_by_role("button", name="view one.csv").click()
-    page.get_by_label("Speed").fill("3 m/s")
+    page.get_by_role("textbox", name="Speed", exact=True).fill("3 m/s")
     files.go({"path": "measured/late.csv", "size": 9})
     page.get_by_text("measured/late.csv: uploaded.").wait_for()
     assert page.get_by_role("heading", name="one.csv").is_visible()
-    assert page.get_by_label("Speed").input_value() == "3 m/s"
+    assert page.get_by_role("textbox", name="Speed", exact=True).input_value() == "3 m/s"
     page.get_by_role("button", name="view measured/late.csv").click()
     page.get_by_role("heading", name="measured/late.csv").wait_for()
     columns = [{"name": "z", "unit": "mm", "count": 2, "least": 0.0, "greatest": 1.0}]

@@ -40,7 +40,7 @@ function row({ path, share, seconds }: Reading): HTMLElement {
   const spent = `${seconds.toFixed(0)} s`;
   return make(
     "p",
-    { class: "reading" },
+    { class: "being-read" },
     make("span", {}, text),
     bar,
     make(
