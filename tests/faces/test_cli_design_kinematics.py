@@ -378,3 +378,22 @@ def test_tables_say_how_far_a_curve_is_and_at_which_pose(cli, study, tmp_path: P
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert "farthest from its curve" in page
     assert "roll centre height at -20 mm" in page
+
+
+def test_a_study_file_gives_a_report_with_the_curves_of_the_test(
+    cli, tmp_path, monkeypatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("study.toml").write_text(
+        'schema = "jounce.design/1"\nrig = "twist-beam"\nstarts = 2\n\n'
+        '[[free]]\npoint = "hardpoints.pivot[2]"\nwithin = "40 mm"\n\n'
+        '[[target]]\ntest = "roll"\nquantity = "steer"\nvalue = -0.05\ntolerance = 0.001\n',
+        encoding="utf-8",
+    )
+    checked = cli("check", "study.toml")
+    assert checked.exit_code == 0, checked.err
+    done = cli("design", "kinematics", "study.toml", "--out", "out", "--json")
+    assert done.exit_code == 0, done.err
+    page = Path("out/report.html").read_text(encoding="utf-8")
+    assert "Curves of the K&amp;C tests with targets" in page
+    assert jn.load("out/rig.toml").hardpoints.pivot[2] > 0.31

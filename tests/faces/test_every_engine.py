@@ -96,7 +96,9 @@ def test_every_page_shows_what_it_is_about(
     engine.go("about:blank")
     assert engine.evaluate("navigator.language") == "C"
     engine.go(f"{project}?token={TOKEN}")
-    engine.until("document.documentElement.dataset.ready")  # to leave earlier breaks off its scripts
+    engine.until(
+        "document.documentElement.dataset.ready"
+    )  # to leave earlier breaks off its scripts
     if language == "de":
         engine.evaluate("localStorage.setItem('jounce-language', 'de')")
         engine.go("about:blank")

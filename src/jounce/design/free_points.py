@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,12 +13,13 @@ from jounce.core.text import qualify
 from jounce.core.types import Array
 from jounce.core.units import positive_si, to_si
 from jounce.design.kinematic_study import FreePoint, coordinate
-from jounce.kinematics.model import KinematicModel, kinematic_model
-from jounce.parts import Corner
+from jounce.kc.sensitivities import kc_parameters
+from jounce.kinematics.model import kinematic_model
+from jounce.parts import Corner, DependentAxle
 from jounce.parts.advice import LONGEST
 from jounce.parts.rig import unit_of, unknown_path
 
-Rigs = Mapping[str, Corner]
+Rigs = Mapping[str, Corner | DependentAxle]
 """Rigs of a study by name; a single rig has the name ''."""
 _FAR = 1.0  # m: largest movement of a hardpoint
 _AXES = "xyz"
@@ -32,29 +33,40 @@ def full_path(name: str, path: str) -> str:
 
 @dataclass(frozen=True)
 class Numbering:
-    """Parameters that affect the kinematics of the rigs of a study, concatenated: ``paths`` in this order."""
+    """Parameters that affect the targets of the rigs of a study, concatenated: ``paths`` in this order.
+
+    ``parts`` has those of each rig, ``kinematic`` the first of them, which enter its kinematics; the others enter only
+    its K&C tests.
+    """
 
     rigs: Rigs
-    models: Mapping[str, KinematicModel]
+    kinematic: Mapping[str, slice]
     parts: Mapping[str, slice]
     paths: tuple[str, ...]
 
     @staticmethod
-    def of(rigs: Rigs) -> Numbering:
-        """Index the parameters of the rigs of a study."""
-        models = {name: kinematic_model(rig) for name, rig in rigs.items()}
-        parts, paths = dict[str, slice](), list[str]()
-        for name, model in models.items():
-            parts[name] = slice(len(paths), len(paths) + len(model.parameters))
-            paths += [full_path(name, path) for path in model.parameters]
-        return Numbering(rigs, models, parts, tuple(paths))
+    def of(rigs: Rigs, tested: Collection[str] = ()) -> Numbering:
+        """Index the parameters of the rigs of a study; those in ``tested`` have targets of K&C tests."""
+        kinematic, parts, paths = dict[str, slice](), dict[str, slice](), list[str]()
+        for name, rig in rigs.items():
+            own = [] if isinstance(rig, DependentAxle) else [*kinematic_model(rig).parameters]
+            further = (
+                [path for path in kc_parameters(rig) if path not in own] if name in tested else []
+            )
+            start = len(paths)
+            kinematic[name] = slice(start, start + len(own))
+            parts[name] = slice(start, start + len(own) + len(further))
+            paths += [full_path(name, path) for path in (*own, *further)]
+        return Numbering(rigs, kinematic, parts, tuple(paths))
 
     def values(self, rigs: Rigs | None = None) -> Array:
         """Return the parameters of rigs of the same structure, by default of the study's own rigs."""
         chosen = self.rigs if rigs is None else rigs
-        return np.concatenate(
-            [self.models[name].parameter_values(rig) for name, rig in chosen.items()]
-        )
+        values = []
+        for name, rig in chosen.items():
+            known = rig.parameters()
+            values += [known[self.owner(path, path)[1]] for path in self.paths[self.parts[name]]]
+        return np.array(values, dtype=float)
 
     def owner(self, path: str, where: str) -> tuple[str, str]:
         """Return the name of the rig that a path of the study belongs to, and the path within that rig."""
@@ -186,7 +198,7 @@ def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str
     paths = [full_path(owner, path) for path in paths]
     if any(path not in index for path in paths):
         raise DescriptionError(
-            "has no effect: it does not enter the kinematics",
+            "has no effect: it does not enter the targets",
             where=where,
             found=name,
             hint="Leave it out.",
@@ -196,7 +208,10 @@ def _paths(numbering: Numbering, index: Mapping[str, int], name: str, where: str
 
 def _mirror_sign(numbering: Numbering, first: str, second: str) -> float:
     """Return -1 for a lateral coordinate on the opposite side of the car, otherwise 1."""
-    sides = [numbering.rigs[numbering.owner(path, path)[0]].sign for path in (first, second)]
+    rigs = [numbering.rigs[numbering.owner(path, path)[0]] for path in (first, second)]
+    sides = [
+        getattr(rig, "sign", 1.0) for rig in rigs
+    ]  # a dependent axle is described by its left half
     return sides[0] * sides[1] if coordinate(second) == _LATERAL else 1.0
 
 

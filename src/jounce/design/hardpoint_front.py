@@ -14,6 +14,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
+from jounce.design.free_points import Rigs
 from jounce.design.front_search import SHARE, Aim, FrontSearch
 from jounce.design.hardpoint_search import HardpointSearch, places, refuse_idle
 from jounce.design.kinematic_study import FreePoint, KinematicTarget
@@ -21,7 +22,7 @@ from jounce.design.kinematics import KinematicTask, read_task, rigs_of, values_b
 from jounce.design.mixtures import MOST_GOALS, achievement, mixtures, undominated_rows
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.sweeps import AxleLayout
-from jounce.parts import Corner, Rig
+from jounce.parts import Corner, DependentAxle, Rig
 
 _FEWEST, _MOST = 3, 500  # designs: at least both ends and one between; each takes a search
 _SOFT = 1e-3  # tolerances below which a goal is practically reached
@@ -61,7 +62,7 @@ class KinematicFront(Plain):
         The initial rigs.
     evaluations : int
         Number of designs evaluated.
-    start : mapping of str to Corner
+    start : mapping of str to Corner or DependentAxle
         The rigs from which the search started, by name.
     findings : tuple of Finding
         Findings.
@@ -72,14 +73,14 @@ class KinematicFront(Plain):
     designs: tuple[FrontDesign, ...]
     before: FrontDesign
     evaluations: int
-    start: Mapping[str, Corner]
+    start: Rigs
     findings: tuple[Finding, ...] = ()
 
     left_out = ("start",)
 
-    def rigs(self, k: int) -> dict[str, Corner]:
+    def rigs(self, k: int) -> dict[str, Corner | DependentAxle]:
         """Return the rigs of design ``k`` (from 0) by name; a single rig has the name ''."""
-        rigs = {}
+        rigs: dict[str, Corner | DependentAxle] = {}
         for name, rig in self.start.items():
             head = f"{name}." if name else ""
             moved = {

@@ -32,8 +32,12 @@ USUAL_TOLERANCES = {
     "rad/m": float(np.radians(0.5)),
     "N/m": 500.0,
     "m/rad": 1e-3,
+    "rad/N": float(np.radians(0.01)) / 1e3,
+    "m/N": 1e-7,
+    "rad/(N*m)": float(np.radians(0.01)) / 100.0,
 }
-"""Default tolerances of targets, by their SI unit: 1 mm, 0.05 deg, 1 %, 0.5 deg/m, 0.5 N/mm, 1 mm/rad."""
+"""Default tolerances of targets, by their SI unit: 1 mm, 0.05 deg, 1 %, 0.5 deg/m, 0.5 N/mm, 1 mm/rad; of K&C tests
+0.01 deg/kN, 0.1 mm/kN, and 0.01 deg per 100 N m."""
 
 
 class FreePoint(Description):
@@ -82,7 +86,7 @@ class FreePoint(Description):
 
 
 class KinematicTarget(Description):
-    """A target value or curve of a quantity of the catalogue.
+    """A target value or curve of a quantity of the catalogue, or a row of a K&C sheet.
 
     ``value`` is the target value; ``values`` are those of a curve, one per pose; ``at_least`` and ``at_most`` are
     limits. ``at`` is a pose: a travel, or ``{travel = ..., rack = ..., roll = ...}``; ``over`` is a range of wheel
@@ -92,9 +96,14 @@ class KinematicTarget(Description):
     ``weight`` multiplies its share in a compromise; ``must`` makes it a constraint. ``goal`` names the goal to which it
     belongs if goals compete. ``rig`` names its rig in a study of several; ``right`` names the right corner of a rolled
     or steered axle if it is not the mirror image of the left one.
+
+    With ``test``, the name of a K&C test, the target is the slope of a line through ``quantity`` (``toe`` of the left
+    wheel, ``right.toe``, ``rack_force``) over half of the test's range, or over ``over``: half of the range of the
+    line, or its ends. ``at`` is the travel, or travel and rack, before the test.
     """
 
     quantity: str
+    test: str | None = None
     value: Quantitative | None = None
     values: tuple[Quantitative, ...] | None = None
     at_least: Quantitative | None = None
@@ -122,7 +131,7 @@ class KinematicTarget(Description):
             raise error_at(
                 (), what, found=Phrase(", ".join([*wanted, *["limits"] * limits]) or "none")
             )
-        if self.at is not None and self.over is not None:
+        if self.at is not None and self.over is not None and self.test is None:
             raise error_at(
                 ("over",),
                 "a target applies at one pose or over a range",
@@ -130,6 +139,13 @@ class KinematicTarget(Description):
             )
         if self.values is not None and self.over is None:
             raise error_at(("values",), "values describe a curve and need over")
+        if self.test is not None:
+            for name in ("values", "along", "right"):
+                if getattr(self, name) is not None:
+                    raise error_at(
+                        (name,), "does not apply to a test, whose slope is a single value"
+                    )
+            return self
         if self.slope and (self.over is None or self.values is not None):
             raise error_at(("slope",), "the slope of a curve needs over and a single value")
         return self
@@ -138,10 +154,11 @@ class KinematicTarget(Description):
 class Spread(Description):
     """Manufacturing tolerances of the parts; a tolerance is two standard deviations of a normal distribution.
 
-    ``points`` (m) applies to each coordinate of pickup points and joints, ``links`` (m) to the length of each link;
-    ``exact`` has individual tolerances by the name of a point or the inner point of a link. ``adjust`` names the
-    adjustments that can be made afterwards, see :data:`jounce.kinematics.adjustments.SETTINGS`. ``cars`` is the number
-    of cars built, drawn with ``seed``.
+    ``points`` (m) applies to each coordinate of pickup points and joints, ``links`` (m) to the length of each link,
+    ``stiffnesses`` (a share, 0.15 for 15 %) to all stiffnesses of each bushing and link; ``exact`` has individual
+    tolerances by the name of a point or the inner point of a link. ``adjust`` names the adjustments that can be made
+    afterwards, see :data:`jounce.kinematics.adjustments.SETTINGS`. ``cars`` is the number of cars built, drawn with
+    ``seed``.
 
     Examples
     --------
@@ -151,6 +168,7 @@ class Spread(Description):
 
     points: NonNegativeLength = 0.0
     links: NonNegativeLength = 0.0
+    stiffnesses: Annotated[float, Unit("1", at_least=0.0, at_most=0.9)] = 0.0
     exact: dict[str, NonNegativeLength] = {}
     adjust: tuple[str, ...] = ()
     cars: Annotated[Whole, Field(ge=2, le=100_000)] = 300

@@ -19,6 +19,7 @@ from jounce.core.errors import DescriptionError, unknown
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import positive_si, to_si
+from jounce.design.compliance_targets import SheetEvaluator, SheetRow, read_sheet_row
 from jounce.design.free_points import Numbering, Rigs
 from jounce.design.kinematic_study import USUAL_TOLERANCES, KinematicTarget
 from jounce.kernel.poses import REACHED
@@ -34,10 +35,10 @@ from jounce.kinematics.axle import (
 from jounce.kinematics.both_wheels import check_pair_of_corners
 from jounce.kinematics.catalogue import require_parts
 from jounce.kinematics.clearances import PosedCorner, Rim, Shape, check_pair
-from jounce.kinematics.model import KinematicModel, has_rack, kinematic_model
+from jounce.kinematics.model import KinematicModel, check_corner, has_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, prepare_sweep, shares, sweep_values
 from jounce.kinematics.tangents import Tangents
-from jounce.parts import Corner
+from jounce.parts import Corner, DependentAxle
 
 _POSES = ("travel", "rack", "roll")
 _UNITS = {"travel": "m", "rack": "m", "roll": "rad"}
@@ -52,7 +53,8 @@ class Wanted:
 
     ``low`` and ``high`` (n,) are the limits, equal for a single wanted value; n is 1 for a slope, otherwise k. ``rig``
     is the name of the rig in a study of several, ``right`` the right corner of its axle if it is not the mirror image,
-    and ``pair`` the two bodies of a clearance.
+    and ``pair`` the two bodies of a clearance. ``sheet`` is a row of a K&C sheet: then ``along`` is its test, and the
+    poses hold the ends of its line.
     """
 
     text: KinematicTarget
@@ -66,10 +68,13 @@ class Wanted:
     rig: str = ""
     pair: tuple[Shape, Shape] | None = None
     right: str = ""
+    sheet: SheetRow | None = None
 
     @property
     def at(self) -> Array:
         """Abscissa of the curve, SI, shape (k,)."""
+        if self.sheet is not None:
+            return self.poses[:, 0]
         return self.poses[:, _POSES.index(self.along)]
 
     @property
@@ -82,8 +87,9 @@ class Wanted:
 
     @property
     def label(self) -> str:
-        """Return the quantity, preceded by the name of its rig in a study of several."""
-        return f"{self.rig} {self.quantity}" if self.rig else self.quantity
+        """Return the quantity, preceded by the name of its rig in a study of several, and by its test."""
+        test = self.sheet.test if self.sheet else ""
+        return " ".join(part for part in (self.rig, test, self.quantity) if part)
 
     def is_met_by(self, values: Array) -> bool:
         """Return whether all values (n,) are within the tolerance."""
@@ -115,6 +121,11 @@ def read_targets(
     ]
 
 
+def numbering_of(rigs: Rigs, wanted: Sequence[Wanted]) -> Numbering:
+    """Index the parameters of rigs that their targets depend on."""
+    return Numbering.of(rigs, {item.rig for item in wanted if item.sheet is not None})
+
+
 def _read_target(
     rigs: Rigs,
     target: KinematicTarget,
@@ -137,13 +148,55 @@ def _read_target(
             )
         raise unknown(name, rigs, what="rig", where=f"{where}.rig")
     rig, vehicle = rigs[name], vehicles.get(name)
+    if target.test is not None:
+        row = _sheet_row(rig, target, where)
+        ends = np.array([[row.low, 0.0, 0.0], [row.high, 0.0, 0.0]])
+        given = _limits(target, row.unit, 1, where)
+        return Wanted(target, row.quantity, row.unit, ends, row.test, *given, name, sheet=row)
+    if not isinstance(rig, Corner):
+        raise DescriptionError(
+            "a dependent axle has targets on K&C tests only",
+            where=f"{where}.quantity",
+            found=target.quantity,
+            hint='Name the test, such as test = "roll".',
+        )
     poses, along = _poses(rig, target, where)
     of_axle = _is_of_axle(target, along)
     right = _right_corner(rigs, rig, target, of_axle, where)
     unit = quantity_unit(rig, target.quantity, along if of_axle else "", vehicle, where, right)
     if target.slope:
         unit = {"1": f"1/{_UNITS[along]}"}.get(unit, f"{unit}/{_UNITS[along]}")
-    count = 1 if target.slope else len(poses)
+    given = _limits(target, unit, 1 if target.slope else len(poses), where)
+    pair = _read_pair(rig, target.quantity, along, shapes, where)
+    return Wanted(
+        target, target.quantity, unit, poses, along, *given, name, pair, target.right or ""
+    )
+
+
+def _sheet_row(rig: Corner | DependentAxle, target: KinematicTarget, where: str) -> SheetRow:
+    """Return the row of a K&C sheet that a target names."""
+    at = target.at if isinstance(target.at, dict) else {"travel": target.at or 0.0}
+    state = {}
+    for name, value in at.items():
+        if name not in ("travel", "rack"):
+            raise unknown(str(name), ("travel", "rack"), what="coordinate", where=f"{where}.at")
+        state[name] = to_si(value, "m", where=f"{where}.at.{name}")
+    assert target.test is not None
+    return read_sheet_row(
+        rig,
+        target.test,
+        target.quantity,
+        target.over,
+        state.get("travel", 0.0),
+        state.get("rack"),
+        where,
+    )
+
+
+def _limits(
+    target: KinematicTarget, unit: str, count: int, where: str
+) -> tuple[Array, Array, float]:
+    """Return the lower and upper limit of each value, and the tolerance, SI."""
 
     def read(name: str) -> Array:
         value = getattr(target, name)
@@ -182,20 +235,7 @@ def _read_target(
         raise DescriptionError(text, where=f"{where}.tolerance", allowed=allowed)
     given = USUAL_TOLERANCES[unit] if target.tolerance is None else target.tolerance
     tolerance = positive_si(given, unit, where=f"{where}.tolerance")
-    pair = _read_pair(rig, target.quantity, along, shapes, where)
-    return Wanted(
-        target,
-        target.quantity,
-        unit,
-        poses,
-        along,
-        low,
-        high,
-        tolerance,
-        name,
-        pair,
-        target.right or "",
-    )
+    return low, high, tolerance
 
 
 def _right_corner(
@@ -219,7 +259,7 @@ def _right_corner(
             found=f'side = "{rig.side}"',
             allowed='"left" if right is given',
         )
-    right = rigs[target.right]
+    right = check_corner(rigs[target.right])
     check_pair_of_corners(rig, right, f"{where}.right")
     if has_rack(rig) and not has_rack(right):
         raise DescriptionError(
@@ -813,27 +853,31 @@ class Evaluators:
             slice(int(end) - len(item.low), int(end))
             for item, end in zip(wanted, ends, strict=True)
         ]
-        self._members = []
-        for name, right in dict.fromkeys((item.rig, item.right) for item in wanted):
-            mine = [i for i, item in enumerate(wanted) if (item.rig, item.right) == (name, right)]
+        self._members: list[tuple[NDArray[np.intp], NDArray[np.intp], Any]] = []
+        for name, right, is_tested in dict.fromkeys(map(_group_of, wanted)):
+            mine = [
+                i for i, item in enumerate(wanted) if _group_of(item) == (name, right, is_tested)
+            ]
             into = np.concatenate(
                 [np.arange(self.parts[i].start, self.parts[i].stop) for i in mine]
             )
-            sides = [name, right] if right else [name]
-            part = np.concatenate(
-                [
-                    np.arange(numbering.parts[side].start, numbering.parts[side].stop)
-                    for side in sides
+            rig, own = numbering.rigs[name], [wanted[i] for i in mine]
+            if is_tested:
+                part = _places(numbering.parts[name])
+                rows = [item.sheet for item in own if item.sheet is not None]
+                paths = [
+                    numbering.owner(path, path)[1]
+                    for path in numbering.paths[numbering.parts[name]]
                 ]
-            )
-            member = TargetEvaluator(
-                numbering.rigs[name],
-                [wanted[i] for i in mine],
-                directions[part],
-                lengths,
-                vehicles.get(name),
-                numbering.rigs[right] if right else None,
-            )
+                sheet = SheetEvaluator(rig, rows, paths, directions[part])
+                self._members.append((part, into, sheet))
+                continue
+            sides = [name, right] if right else [name]
+            part = np.concatenate([_places(numbering.kinematic[side]) for side in sides])
+            other = numbering.rigs[right] if right else None
+            assert isinstance(rig, Corner)
+            assert other is None or isinstance(other, Corner)
+            member = TargetEvaluator(rig, own, directions[part], lengths, vehicles.get(name), other)
             self._members.append((part, into, member))
 
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
@@ -855,6 +899,15 @@ class Evaluators:
     def ends_in_words(self) -> list[str]:
         """Return a description of where the last poses ended."""
         return [end for *_, member in self._members for end in member.ends_in_words()]
+
+
+def _group_of(item: Wanted) -> tuple[str, str, bool]:
+    """Return rig, right corner, and whether the target is one of a K&C test."""
+    return item.rig, item.right, item.sheet is not None
+
+
+def _places(part: slice) -> NDArray[np.intp]:
+    return np.arange(part.start, part.stop)
 
 
 def _swept_values(item: Wanted, kind: str) -> Array:

@@ -40,12 +40,13 @@ from jounce.design.kinematic_study import (
     KinematicTarget,
     Spread,
 )
-from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
+from jounce.design.kinematic_targets import Evaluators, Wanted, numbering_of, read_targets
 from jounce.design.spread import KinematicSpread, Workshop, spread_of
+from jounce.kc.tests import TESTS
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
 from jounce.kinematics.sweeps import AxleLayout
-from jounce.parts import Corner, Rig, as_rig, load
+from jounce.parts import Corner, DependentAxle, Rig, as_rig, load
 from jounce.parts.files import rig_named_in
 
 _FIGHTS = -0.3  # cosine between the gradients of two targets below which they conflict
@@ -73,7 +74,8 @@ class TargetResult(Plain):
     ``wanted`` is a value, a list of values, or the limits ``[at_least, at_most]`` (None for an open side). ``at`` has
     the poses of the values (m or rad) along ``along``. ``must`` is True for a constraint. ``rig`` is the name of the
     target's rig in a study of several. ``right`` is the right corner of the axle if it is not the mirror image of the
-    left one. ``limits`` is True if ``wanted`` are limits.
+    left one. ``limits`` is True if ``wanted`` are limits. ``test`` is True for a row of a K&C sheet: ``along`` is the
+    name of its test.
     """
 
     quantity: str
@@ -90,6 +92,7 @@ class TargetResult(Plain):
     rig: str = ""
     limits: bool = False
     right: str = ""
+    test: bool = False
 
     def bounds(self) -> tuple[Array, Array]:
         """Return the lower and upper limit at each pose, SI; infinite where there is no limit."""
@@ -114,7 +117,7 @@ class TargetResult(Plain):
 
     def pose(self, k: int) -> str:
         """Return the pose of a value as text in display units, e.g. ``-30 mm``; for a slope, the whole range."""
-        unit = display_unit("rad" if self.along == "roll" else "m")
+        unit = display_unit(_unit_along(self.along, is_test=self.test))
         ends = [self.at[k]] if len(self.at) == np.size(self.after) else [self.at[0], self.at[-1]]
         text = " … ".join(f"{0.0 + round(end * unit.factor, 6):g}" for end in ends)
         return f"{text} {unit.name}{' of rack' if self.along == 'rack' else ''}"
@@ -126,8 +129,9 @@ class TargetResult(Plain):
 
     @property
     def label(self) -> str:
-        """Return the quantity in words, preceded by its rig in a study of several."""
-        return f"{self.rig} {self.quantity}".strip().replace("_", " ")
+        """Return the quantity in words, preceded by its rig in a study of several, and by its K&C test."""
+        test = f"{self.along}:" if self.test else ""
+        return " ".join(part for part in (self.rig, test, self.quantity) if part).replace("_", " ")
 
 
 @dataclass(frozen=True)
@@ -199,7 +203,7 @@ class KinematicDesign(Plain):
 
     Attributes
     ----------
-    rigs : mapping of str to Corner
+    rigs : mapping of str to Corner or DependentAxle
         The rigs with their points moved, by name; a single rig has the name "".
     met : bool
         Whether all targets are within their tolerances.
@@ -230,7 +234,7 @@ class KinematicDesign(Plain):
         Findings.
     """
 
-    rigs: Mapping[str, Corner]
+    rigs: Rigs
     met: bool
     targets: tuple[TargetResult, ...]
     moved: Mapping[str, Moved]
@@ -247,7 +251,7 @@ class KinematicDesign(Plain):
     left_out = ("rigs",)
 
     @property
-    def rig(self) -> Corner:
+    def rig(self) -> Corner | DependentAxle:
         """The rig with its points moved; only for a study of a single rig."""
         if len(self.rigs) != 1:
             raise DescriptionError(
@@ -258,9 +262,9 @@ class KinematicDesign(Plain):
             )
         return next(iter(self.rigs.values()))
 
-    def before(self) -> dict[str, Corner]:
+    def before(self) -> dict[str, Corner | DependentAxle]:
         """Return the rigs from which the search started."""
-        rigs = {}
+        rigs: dict[str, Corner | DependentAxle] = {}
         for name, rig in self.rigs.items():
             head = f"{name}." if name else ""
             mine = {
@@ -339,6 +343,10 @@ class KinematicDesign(Plain):
         return "\n".join([*rows, ""])
 
 
+def _unit_along(along: str, *, is_test: bool) -> str:
+    return TESTS[along].unit if is_test else "rad" if along == "roll" else "m"
+
+
 def _head(target: TargetResult, i: int | None = None, unit: str = "") -> str:
     """Return the name of a target in a CSV table; its index distinguishes targets of the same quantity."""
     name = qualify(target.rig, target.quantity)
@@ -376,7 +384,7 @@ def design_kinematics(
         paths to ``within``. With several rigs, a path begins with the name of a rig.
     targets : sequence of KinematicTarget or mapping, optional
         Targets, with the keys of ``[[target]]``: ``quantity``, ``value`` (with a unit, or SI), ``tolerance``,
-        ``at`` or ``over`` (m, or an angle for roll), ``must``, ``rig`` and so on.
+        ``at`` or ``over`` (m, or an angle for roll), ``must``, ``rig`` and so on; with ``test``, rows of a K&C sheet.
     vehicle : AxleLayout or mapping of str to AxleLayout, optional
         Vehicle data of the axle, needed for anti-effects and Ackermann; with several rigs, one entry per rig name.
     starts : int
@@ -445,8 +453,8 @@ class KinematicTask:
 
     def read(self) -> tuple[Numbering, FreeNumbers, list[Wanted]]:
         """Convert the task to variables and targets in SI; reject impossible targets."""
-        numbering = Numbering.of(self.rigs)
         wanted = read_targets(self.rigs, self.targets, self.vehicles, self.shapes)
+        numbering = numbering_of(self.rigs, wanted)
         return numbering, free_numbers(numbering, self.free), wanted
 
     def check_spread(self, wanted: Sequence[Wanted]) -> None:
@@ -454,7 +462,7 @@ class KinematicTask:
         for name, rig in self.rigs.items() if self.spread is not None else ():
             assert self.spread is not None
             own = wanted_of(wanted, name)
-            if own:
+            if own and isinstance(rig, Corner):
                 Workshop(rig, own, self.spread, self.vehicles.get(name))
 
     def search(self) -> HardpointSearch:
@@ -499,12 +507,17 @@ def read_task(
                 allowed="letters, digits, _ and -",
             )
     return KinematicTask(
-        {name: check_corner(corner) for name, corner in rigs.items()},
+        {name: _check_rig(corner) for name, corner in rigs.items()},
         tuple(points),
         tuple(wishes),
         cars,
         shapes=dict(shapes or {}),
     )
+
+
+def _check_rig(rig: Rig) -> Corner | DependentAxle:
+    """Return a rig that has hardpoints to move: a corner, or a dependent axle for targets of K&C tests."""
+    return rig if isinstance(rig, DependentAxle) else check_corner(rig)
 
 
 Found = TypeVar("Found")
@@ -517,7 +530,7 @@ def run_study(
     study, text = read_description(KinematicStudy, path, SCHEMA)
     files = {name: rig_named_in(file, Path(path)) for name, file in study.files_by_rig().items()}
     try:
-        rigs = {name: check_corner(load(file)) for name, file in files.items()}
+        rigs = {name: _check_rig(load(file)) for name, file in files.items()}
         return run(
             study,
             KinematicTask(
@@ -582,8 +595,8 @@ def design(task: KinematicTask, starts: int, seed: int) -> KinematicDesign:
 
 
 def wanted_of(wanted: Sequence[Wanted], name: str) -> list[Wanted]:
-    """Return the targets of one rig, without those of a whole axle with its own right corner."""
-    return [item for item in wanted if item.rig == name and not item.right]
+    """Return the targets of one rig, without those of K&C tests and of a whole axle with its own right corner."""
+    return [item for item in wanted if item.rig == name and not item.right and item.sheet is None]
 
 
 def values_before(search: HardpointSearch) -> list[Array]:
@@ -616,7 +629,7 @@ def values_before(search: HardpointSearch) -> list[Array]:
 # results of a search --------------------------------------------------------------------------------------------------
 
 
-def rigs_of(search: HardpointSearch, x: Array) -> dict[str, Corner]:
+def rigs_of(search: HardpointSearch, x: Array) -> dict[str, Corner | DependentAxle]:
     """Return the rigs of a result with parameters rounded as in files: lengths to the nanometre."""
     numbering = search.evaluator.numbering
     index = {path: i for i, path in enumerate(numbering.paths)}
@@ -648,7 +661,7 @@ def _numbers_at(search: HardpointSearch, outcome: Outcome) -> dict[str, float]:
 
 def _result(
     task: KinematicTask,
-    moved: dict[str, Corner],
+    moved: Rigs,
     search: HardpointSearch,
     x: Array,
     before: list[Array],
@@ -697,10 +710,15 @@ def _result(
         open=still_open,
         spread={
             name: spread_of(
-                rig, wanted_of(search.wanted, name), task.spread, task.vehicles.get(name)
+                check_corner(rig),
+                wanted_of(search.wanted, name),
+                task.spread,
+                task.vehicles.get(name),
             )
             for name, rig in moved.items()
-            if task.spread is not None and wanted_of(search.wanted, name)
+            if task.spread is not None
+            and isinstance(rig, Corner)
+            and wanted_of(search.wanted, name)
         },
         findings=(
             *_findings(search, x, targets),
@@ -737,6 +755,7 @@ def target_result(item: Wanted, before: Array, after: Array) -> TargetResult:
         item.rig,
         limits,
         item.right,
+        item.sheet is not None,
     )
 
 
@@ -744,7 +763,7 @@ def _sensitivity(
     task: KinematicTask, rigs: Rigs, wanted: Sequence[Wanted]
 ) -> dict[str, tuple[float, ...]]:
     """Return the change of each target per hardpoint coordinate, SI per metre, the largest along its curve."""
-    numbering = Numbering.of(rigs)
+    numbering = numbering_of(rigs, wanted)
     paths = [
         path for path in numbering.paths if numbering.owner(path, path)[1].startswith("hardpoints.")
     ]
@@ -871,7 +890,11 @@ def identifiability(
 
 def _list_unspread(task: KinematicTask, wanted: Sequence[Wanted]) -> list[Finding]:
     """List targets that the spread does not cover."""
-    several = [i for i, item in enumerate(wanted) if task.spread is not None and item.right]
+    several = [
+        i
+        for i, item in enumerate(wanted)
+        if task.spread is not None and (item.right or not isinstance(task.rigs[item.rig], Corner))
+    ]
     return [finding("design.not_in_spread", f"target[{i}] {wanted[i].label}") for i in several]
 
 

@@ -18,9 +18,9 @@ from jounce.core.errors import DescriptionError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
-from jounce.design.free_points import Numbering
 from jounce.design.kinematic_study import KinematicTarget, Spread
-from jounce.design.kinematic_targets import Evaluators, Wanted, read_targets
+from jounce.design.kinematic_targets import Evaluators, Wanted, numbering_of, read_targets
+from jounce.kc.sensitivities import kc_parameters
 from jounce.kinematics.adjustments import SETTINGS, apply_adjustments
 from jounce.kinematics.clearances import Shape
 from jounce.kinematics.model import check_corner
@@ -205,7 +205,10 @@ def spread_of(
 
 
 class Workshop:
-    """Builds corners from deviating parts: ``sources`` of deviation with ``sizes`` (standard deviations, m)."""
+    """Builds corners from deviating parts: ``sources`` of deviation with ``sizes`` (standard deviations, m).
+
+    Deviations of stiffnesses are shares.
+    """
 
     def __init__(
         self, rig: Corner, wanted: Sequence[Wanted], spread: Spread, vehicle: AxleLayout | None
@@ -213,7 +216,7 @@ class Workshop:
         self.rig, self.spread = rig, spread
         alone = [Wanted(**{**vars(item), "rig": ""}) for item in wanted]
         self.wanted = alone
-        numbering = Numbering.of({"": rig})
+        numbering = numbering_of({"": rig}, alone)
         nothing = np.zeros((len(numbering.paths), 0))
         self._evaluator = Evaluators(
             numbering, alone, nothing, np.zeros(0), {} if vehicle is None else {"": vehicle}
@@ -251,12 +254,15 @@ class Workshop:
             )
             for name, _ in self.sources
         ]
+        self._stiff = _stiff_parts(self.rig) if self.spread.stiffnesses > 0.0 else {}
+        self.sources += [(name, 0) for name in self._stiff]
+        sizes += [self.spread.stiffnesses] * len(self._stiff)
         self.sizes = np.array(sizes) / _DEVIATIONS
         if not np.any(self.sizes > 0.0):
             raise DescriptionError(
                 "the spread contains no deviation",
                 where="spread",
-                allowed="points, links or exact above 0 mm",
+                allowed="points, links or exact above 0 mm, or stiffnesses above 0",
             )
 
     def _adjusters(self) -> None:
@@ -323,6 +329,15 @@ class Workshop:
             for name, length in rod_lengths(self.rig).items()
         }
         shims = {name: away[name] for name in self._joints}
+        if self._stiff:
+            known = base.parameters()
+            base = base.with_changes(
+                {
+                    path: known[path] * (1.0 + away[name][0])
+                    for name, paths in self._stiff.items()
+                    for path in paths
+                }
+            )
         return refit(base, Changes(inner, lengths, shims, longer))
 
     def adjust(self, car: Corner, values: Array) -> tuple[Array, Array]:
@@ -360,6 +375,22 @@ class Workshop:
         return variances
 
 
+def _stiff_parts(rig: Corner) -> dict[str, list[str]]:
+    """Return the paths of the stiffnesses of each bushing and link."""
+    parts: dict[str, list[str]] = {}
+    for path in kc_parameters(rig):
+        name, _, last = path.rpartition(".")
+        if name.startswith(("bushings.", "links.")) and "stiffness" in last:
+            parts.setdefault(name, []).append(path)
+    if not parts:
+        raise DescriptionError(
+            "the rig has no stiffnesses of bushings or links",
+            where="spread.stiffnesses",
+            hint="Leave it out.",
+        )
+    return parts
+
+
 def _describe_spread(
     workshop: Workshop, drawn: Array, made: Array, settled: Array, settings: Array, failed: int
 ) -> KinematicSpread:
@@ -381,7 +412,7 @@ def _describe_spread(
         shares = {name: float(variance[worst] / total[worst]) for name, variance in causes.items()}
         targets.append(
             SpreadTarget(
-                item.quantity,
+                item.label,
                 item.unit,
                 item.along,
                 item.at.tolist(),

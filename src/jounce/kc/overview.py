@@ -17,6 +17,7 @@ from jounce.core.errors import DescriptionError, unknown
 from jounce.core.numbers import number
 from jounce.core.serialise import Plain
 from jounce.core.tables import TextTable
+from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kc.centres import SUPPORTS
 from jounce.kc.slopes import kc_slopes, slope_unit
@@ -398,12 +399,20 @@ def kc_overview(
 def fitted_range(dataset: xr.Dataset, within: Within | None = None) -> tuple[float, float]:
     """Return the ends of the range of a fit, SI: those given, or half of the test's range."""
     sweep = np.asarray(dataset["input"].values, dtype=float)
+    return range_of_line(sweep, str(dataset["input"].attrs.get("units", "1")), within)
+
+
+def range_of_line(sweep: Array, unit: str, within: Within | None = None) -> tuple[float, float]:
+    """Return the ends of the range of a line over inputs, SI: those given, or half of the inputs' range.
+
+    >>> range_of_line(np.linspace(-0.05, 0.05, 41), "m"), range_of_line(np.linspace(0.0, 8.0, 9), "N", "2 N")
+    ((-0.025, 0.025), (0.0, 2.0))
+    """
     if within is None:
         low, high = float(np.nanmin(sweep)), float(np.nanmax(sweep))
         inside = np.unique(sweep[(sweep >= _SHARE * low) & (sweep <= _SHARE * high)])
         share = _SHARE if inside.size >= _FEWEST else 1.0
         return share * low, share * high
-    unit = str(dataset["input"].attrs.get("units", "1"))
     if isinstance(within, tuple):
         if len(within) != 2:
             raise DescriptionError(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -117,20 +117,38 @@ def kc_sensitivities(  # noqa: PLR0913 - options of a test
     paths = check_parameters(rig, parameters)
     rack = None if steer is None else to_si(steer, "m", where="steer")
     laboratory = Laboratory(rig, to_si(travel, "m", where="travel"), rack)
-    tangents = Tangents(laboratory, paths)
     names = laboratory.names((tests,) if isinstance(tests, str) else tests)
-    options = (to, points, held, handwheel, trail)
-    each = [_of_test(tangents, TESTS[name], paths, quantities, *options) for name in names]
+    options = (points, held, handwheel, trail)
+    each = sensitivities_of(laboratory, dict.fromkeys(names, to), paths, quantities, *options)
     if isinstance(tests, str):
-        return each[0]
-    longest = max(part.sizes["sample"] for part in each)
+        return each[tests]
+    longest = max(part.sizes["sample"] for part in each.values())
     return xr.concat(
-        [part.pad(sample=(0, longest - part.sizes["sample"])) for part in each],
+        [part.pad(sample=(0, longest - part.sizes["sample"])) for part in each.values()],
         xr.Variable("test", names),
         data_vars="all",
         coords=["input", "slope_unit"],
         combine_attrs="drop_conflicts",
     )
+
+
+def sensitivities_of(
+    laboratory: Laboratory,
+    ends: Mapping[str, float | str | None],
+    parameters: tuple[str, ...],
+    quantities: Sequence[str] | None = None,
+    points: int = 41,
+    held: Held = "load",
+    handwheel: Handwheel = "locked",
+    trail: float | str | None = None,
+) -> dict[str, xr.Dataset]:
+    """Return the slopes of tests by name, each to the end of its range, with one laboratory."""
+    tangents = Tangents(laboratory, parameters)
+    options = (points, held, handwheel, trail)
+    return {
+        name: _of_test(tangents, TESTS[name], parameters, quantities, to, *options)
+        for name, to in ends.items()
+    }
 
 
 def _of_test(

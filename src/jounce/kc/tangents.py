@@ -7,8 +7,8 @@ same solution: wheels on the ground whose height moves the targets, and forces i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -237,13 +237,17 @@ class Tangents:
             own = settled._replace(**{name: getattr(settled, name)[part] for name in SETTLED})
             return Tangent(own, motions, total[part, rows], history[part], sticks[part])
 
-        for step in range(steps if self.frictions else 0):
-            held = np.where(sticks[step], holds, 0.0)[:, None] * slips
-            total[step] += raw[step, :, m + controls :] @ held
-            here = tangent(slice(step, step + 1))
-            moves = np.stack([self._deflection(j, here)[0] for j in range(len(holds))])
-            slips = np.where(sticks[step][:, None], slips, moves.imag / STEP)
-            history[step] = slips
+        if (
+            self.frictions
+        ):  # deflections are linear in motions, so that only sums are left to do step by step
+            moved = self._deflections(tangent(slice(None)), self._elements).imag / STEP
+            pushed = self._by_forces(settled, raw[:, :, m + controls :])
+            for step in range(steps):
+                held = np.where(sticks[step], holds, 0.0)[:, None] * slips
+                total[step] += raw[step, :, m + controls :] @ held
+                moves = moved[step] + pushed[step] @ held
+                slips = np.where(sticks[step][:, None], slips, moves)
+                history[step] = slips
         return tangent(slice(None))
 
     def _start(self, start: tuple[Array, Array, Array]) -> tuple[Array, Array, Array]:
@@ -274,13 +278,32 @@ class Tangents:
         i, k = self.frictions[j]
         return _holds(self.axle.assembly.elements[i])[k]
 
-    def _deflection(self, j: int, tangent: Tangent) -> Numbers:
-        """Return the deflection of a friction, shape (steps, m)."""
-        i, k = self.frictions[j]
-        element = self.axle.assembly.elements[i]
-        if element.kind == eq.LINE:
-            return line_length(element, tangent)
-        return bushing_deflections(element, tangent)[k]
+    @property
+    def _elements(self) -> dict[int, Element]:
+        """Elements with friction, by their place."""
+        return {i: self.axle.assembly.elements[i] for i, _ in self.frictions}
+
+    def _deflections(self, tangent: Tangent, elements: Mapping[int, Element]) -> Numbers:
+        """Return the deflections of all frictions, shape (steps, frictions, m)."""
+        moves = {
+            i: [line_length(element, tangent)]
+            if element.kind == eq.LINE
+            else bushing_deflections(element, tangent)
+            for i, element in elements.items()
+        }
+        return np.stack([moves[i][k] for i, k in self.frictions], axis=1)
+
+    def _by_forces(self, settled: eq.Settled, raw: Array) -> Array:
+        """Return the change of all deflections by a force in each friction, shape (steps, frictions, frictions)."""
+        steps, bodies, count = len(raw), self.laboratory.bodies, len(self.frictions)
+        empty = np.zeros((steps, 0, 0))
+        motions = raw[:, : 6 * bodies].reshape(steps, bodies, 6, count)
+        pushed = Tangent(settled, motions, empty, empty, np.zeros((steps, 0)))
+        fixed = {
+            i: replace(element, data=np.repeat(element.data[:, :1].real, count, axis=1))
+            for i, element in self._elements.items()
+        }
+        return np.asarray(self._deflections(pushed, fixed).imag / STEP)
 
     def _rubbed(
         self, path: eq.Path, start: tuple[Array, Array, Array], columns: int
@@ -293,9 +316,7 @@ class Tangents:
         empty = np.zeros((steps, 0, 0))
         resting = np.zeros((steps, laboratory.bodies, 6, self.count))
         path_taken = Tangent(settled, resting, empty, empty, np.zeros((steps, 0)))
-        moves = np.stack(
-            [self._deflection(j, path_taken)[:, 0].real for j in range(len(self.frictions))], axis=1
-        )
+        moves = self._deflections(path_taken, self._elements)[..., 0].real
         slipped = start[2].copy()
         sticks = np.zeros((steps, len(self.frictions)), dtype=bool)
         raw = np.full((steps, settled.multipliers.shape[1] + 6 * size[0], columns), np.nan)

@@ -11,6 +11,7 @@ exerts, and a step prescribes a mixture of values and forces: ``values @ c + for
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -155,7 +156,9 @@ def settle(
     space = Space(
         np.zeros((n, n)),
         np.zeros((n, n)),
-        elimination_order(assembly, bodies, n - controls, n),
+        elimination_order(
+            np.ascontiguousarray(assembly.kinds[:, :4]).tobytes(), bodies, n - controls, n
+        ),
         np.zeros(n, dtype=np.int64),
         np.zeros(n, dtype=np.int64),
         np.zeros((n, 1 + parameters)),
@@ -171,16 +174,20 @@ def settle(
     return settled, space
 
 
+@lru_cache(64)  # paths of one assembly are followed many times
 def elimination_order(
-    assembly: Assembly, bodies: int, first_control: int, count: int
+    connections: bytes, bodies: int, first_control: int, count: int
 ) -> NDArray[np.int64]:
     """Return the order in which the unknowns are eliminated: of the least connected first, controls last.
 
-    Unknowns of a body stay together, and so do those of a constraint.
+    Unknowns of a body stay together, and so do those of a constraint. ``connections`` are the first columns of an
+    assembly's ``kinds``: kind, bodies, first row of multipliers.
     """
     groups = [list(range(6 * body, 6 * body + 6)) for body in range(bodies)]
     links: list[set[int]] = [set() for _ in groups]
-    for kind, first, second, row in assembly.kinds[:, :4].tolist():
+    for kind, first, second, row in (
+        np.frombuffer(connections, dtype=np.int64).reshape(-1, 4).tolist()
+    ):
         ends = {body for body in (first, second) if body >= 0}
         if row >= 0:
             ends.add(len(groups))

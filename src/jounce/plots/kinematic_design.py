@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
+from jounce.parts import Corner
 from jounce.plots.display import settle
 from jounce.plots.figures import INK, MUTED, PALETTE, fill_cells, in_style, new_figure
 from jounce.plots.parallel import between_ends, draw_uprights
@@ -450,8 +451,10 @@ def design_pictures(design: KinematicDesign) -> dict[str, Callable[[], Figure]]:
     for name, spread in design.spread.items():
         pictures[f"spread-{name}" if name else "spread"] = partial(spread_bands, spread)
     for name, rig in design.rigs.items():
-        label = f"geometry-{name}" if name else "geometry"
-        pictures[label] = partial(
-            suspension_geometry, {"before": before[name], "after": rig}, title=name
-        )
+        start = before[name]
+        if isinstance(rig, Corner) and isinstance(start, Corner):
+            label = f"geometry-{name}" if name else "geometry"
+            pictures[label] = partial(
+                suspension_geometry, {"before": start, "after": rig}, title=name
+            )
     return pictures

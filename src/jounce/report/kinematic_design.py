@@ -8,9 +8,14 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.old_names import old_argument
+from jounce.kc.laboratory import kc_test
+from jounce.kc.tests import TESTS
 from jounce.kinematics import sweep_travel
+from jounce.parts import Corner
+from jounce.parts.rig import unit_of
 from jounce.plots.display import number
 from jounce.plots.kinematic_design import design_pictures
+from jounce.report.chart import Chart, Panel, Series, Style
 from jounce.report.page import (
     Block,
     Bullets,
@@ -27,17 +32,19 @@ from jounce.report.page import (
 from jounce.report.recordings import curve_blocks
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from matplotlib.figure import Figure
 
     from jounce.design.kinematics import KinematicDesign, TargetResult
     from jounce.design.spread import KinematicSpread
     from jounce.design.studied import StudiedDesign
+    from jounce.parts import DependentAxle
 
 _POINTS = 41
 _FINE = 1e-6  # of a tolerance: below this, a value is rounding error
 _SMALLEST = 0.02  # minimum travel shown, m
+_PANELS = 6  # curves of K&C tests at most
 
 
 @old_argument("found", "design")
@@ -194,17 +201,24 @@ def _target_range(target: TargetResult, factor: float) -> str:
 def _changes(design: KinematicDesign) -> PageTable:
     rows = []
     for path, change in design.moved.items():
-        unit = display_unit("m" if "hardpoints." in path else "1", 0.1)
+        unit = display_unit(_unit_of(design, path), 0.1)
         ends = (change.before, change.after, change.after - change.before)
         rows.append(
             (
                 path,
-                unit.name or "SI",
+                unit.name or "–",
                 *(f"{value * unit.factor:.3f}".replace("-", "−") for value in ends),
             )
         )
     return PageTable(
         "Numbers of the rig", ("number", "unit", "before", "after", "by"), tuple(rows), "llrrr"
+    )
+
+
+def _unit_of(design: KinematicDesign, path: str) -> str:
+    name, _, own = path.partition(".")
+    return (
+        unit_of(design.rigs[name], own) if name in design.rigs else unit_of(design.rigs[""], path)
     )
 
 
@@ -258,6 +272,9 @@ def _curves(design: KinematicDesign, title: str) -> tuple[Block, ...]:
     for name, start in design.before().items():
         rig = design.rigs[name]
         mine = [target for target in design.targets if target.rig == name]
+        blocks += _sheet_curves(name, start, rig, mine)
+        if not (isinstance(rig, Corner) and isinstance(start, Corner)):
+            continue
         at = [place for target in mine if target.along == "travel" for place in target.at]
         ends = (min([*at, -_SMALLEST]), max([*at, _SMALLEST]))
         swept = {
@@ -276,3 +293,39 @@ def _curves(design: KinematicDesign, title: str) -> tuple[Block, ...]:
         curves = curve_blocks({label: swept}, first or None, title=shown, name=file, rig=rig)
         blocks += [Subsection(name.capitalize(), curves)] if name else curves
     return tuple(blocks)
+
+
+def _sheet_curves(
+    name: str,
+    before: Corner | DependentAxle,
+    after: Corner | DependentAxle,
+    targets: Sequence[TargetResult],
+) -> list[Block]:
+    """Return the curves of K&C tests that have targets, before and after, over the ranges of their lines."""
+    panels: list[Panel] = []
+    mine = [target for target in targets if target.test][:_PANELS]
+    for target in mine:
+        unit = display_unit(TESTS[target.along].unit)
+        to = max(TESTS[target.along].range, *map(abs, target.at))
+        series = []
+        for role, rig in (("before", before), ("after", after)):
+            run = kc_test(rig, target.along, to=to)
+            values, x = run[target.quantity], run["input"].values
+            own = display_unit(str(values.attrs["units"]))
+            style: Style = "line" if role == "after" else "dashed"
+            label = role if not panels else ""
+            series.append(Series(x * unit.factor, values.values * own.factor, role, style, label))
+        panels.append(
+            Panel(
+                tuple(series),
+                unit.label(f"input of {target.along}"),
+                title=f"{target.quantity.replace('.', ', ').replace('_', ' ')} [{own.name}]",
+                width=300,
+                height=226,
+            )
+        )
+    if not panels:
+        return []
+    words = "Curves of the K&C tests with targets, before (dashed) and after (solid)."
+    file = f"kc-{name}" if name else "kc"
+    return [Chart(tuple(panels), file, words, words, columns=3)]
