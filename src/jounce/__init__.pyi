@@ -154,6 +154,9 @@ from .kc.overview import kc_overview as kc_overview
 from .kc.sensitivities import kc_sensitivities as kc_sensitivities
 from .kc.sheet import KcTests as KcTests
 from .kc.sheet import kc_sheet as kc_sheet
+from .kc.shims import KcShims as KcShims
+from .kc.shims import ShimRow as ShimRow
+from .kc.shims import kc_shims as kc_shims
 from .kc.slopes import kc_slopes as kc_slopes
 from .kinematics import AxleLayout as AxleLayout
 from .kinematics import ContactLoad as ContactLoad
