@@ -351,6 +351,7 @@ def test_what_is_wrong_with_the_server_is_one_line_without_the_password(
         assert secret not in outcome.err
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="importers are forked")
 @pytest.mark.parametrize("kills", [2, pytest.param(60, marks=pytest.mark.slow)])
 def test_killed_importers_lose_nothing_and_leave_nothing_in_half(

@@ -93,7 +93,10 @@ def _used(result) -> set[int]:
     return {trial.entry.number for trial in result.trials if trial.after is not None}
 
 
-@pytest.mark.parametrize("damage", DAMAGES)
+@pytest.mark.parametrize(
+    "damage",
+    [pytest.param(x, marks=[pytest.mark.slow] if k % 3 else []) for k, x in enumerate(DAMAGES)],
+)
 def test_one_bad_trial(campaign: Path, damaged, damage: str) -> None:
     damaged("trials/02.csv", DAMAGES[damage])
     result = run_campaign(campaign)
@@ -108,7 +111,10 @@ def test_one_bad_trial(campaign: Path, damaged, damage: str) -> None:
 @pytest.mark.parametrize(
     "damage", ["empty", "rubbish", "cut within a row", "a bomb of a unit", "huge values"]
 )
-@pytest.mark.parametrize("table", ["spring_1", "tyre_031_2", "decay_1"])
+@pytest.mark.parametrize(
+    "table",
+    ["tyre_031_2", *(pytest.param(x, marks=pytest.mark.slow) for x in ("spring_1", "decay_1"))],
+)
 def test_one_bad_bench_file(campaign: Path, damaged, table: str, damage: str) -> None:
     change = DAMAGES[damage] if damage != "a bomb of a unit" else with_header("mm", "m^9**9**9**9")
     damaged(f"bench/{table}.csv", change)

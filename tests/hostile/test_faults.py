@@ -27,6 +27,7 @@ pytestmark = [
 ]
 
 
+@pytest.mark.slow
 def test_a_few_faults_of_some_writers() -> None:
     for extra in ("openpyxl", "sqlalchemy"):
         pytest.importorskip(extra)

@@ -93,7 +93,13 @@ def _lines(said):
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-@pytest.mark.parametrize("file", ["sweep.json", "summary.json"], ids=["simulating", "drawing"])
+@pytest.mark.parametrize(
+    "file",
+    [
+        pytest.param("sweep.json", id="simulating"),
+        pytest.param("summary.json", id="drawing", marks=pytest.mark.slow),
+    ],
+)
 def test_a_sweep_says_how_it_goes_on(tmp_path, number, file):
     """Workers get the signal, too, as from a terminal."""
     with _begin(tmp_path, SWEEP) as started:

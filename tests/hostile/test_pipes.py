@@ -94,7 +94,16 @@ def test_what_a_pipe_holds_is_seen_from_its_content(tmp_path, content, kind):
     assert b'"kind": "%s"' % kind in ended.stdout
 
 
-@pytest.mark.parametrize("written", [".nc", ".csv", ".parquet", ".mat", ".xlsx"], indirect=True)
+@pytest.mark.parametrize(
+    "written",
+    [
+        ".nc",
+        ".csv",
+        ".xlsx",
+        *(pytest.param(x, marks=pytest.mark.slow) for x in (".parquet", ".mat")),
+    ],
+    indirect=True,
+)
 def test_recordings(tmp_path, written):
     ended = run(["check", "/dev/stdin", "--json"], tmp_path, written)
     assert ended.returncode == 0, ended.stderr

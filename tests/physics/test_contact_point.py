@@ -327,6 +327,7 @@ def test_runs_and_kinematics_have_one_contact_point(name, load):
         )
 
 
+@pytest.mark.slow
 def test_wheels_of_runs_and_of_compliance_steer_alike_when_braked():
     """On bushings, with a moment on the body so that it stays level: steer and camber are those of the corner held."""
     bushings = {f"{end}.corner.bushings": dict.fromkeys(ON_ARMS, SOFT) for end in ("front", "rear")}

@@ -163,13 +163,18 @@ def brute(of, cam, x):
     "of",
     [
         HalfSine(height=0.02, length=0.1, start=1),
-        Triangle(height=0.03, length=0.1, start=1),
-        CircularSegment(height=0.05, length=0.3, start=1),
-        Pothole(depth=0.05, length=0.5, edge_radius=0.02, start=1),
-        Versine(height=-0.05, length=0.3, start=1),
+        pytest.param(Triangle(height=0.03, length=0.1, start=1), marks=pytest.mark.slow),
+        pytest.param(CircularSegment(height=0.05, length=0.3, start=1), marks=pytest.mark.slow),
+        pytest.param(
+            Pothole(depth=0.05, length=0.5, edge_radius=0.02, start=1), marks=pytest.mark.slow
+        ),
+        pytest.param(Versine(height=-0.05, length=0.3, start=1), marks=pytest.mark.slow),
         Rectangle(height=0.02, length=0.03, start=1),
         Iso8608(class_="G", length=3, run_in=0, seed=2, band=(0.3, 5)),
-        Iso8608(class_="G", length=3, run_in=0, seed=2, band=(0.3, 5), interpolation="cubic"),
+        pytest.param(
+            Iso8608(class_="G", length=3, run_in=0, seed=2, band=(0.3, 5), interpolation="cubic"),
+            marks=pytest.mark.slow,
+        ),
     ],
     ids=lambda of: of.kind,
 )

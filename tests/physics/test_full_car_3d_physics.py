@@ -75,6 +75,7 @@ def test_the_tyres_carry_the_weight(vehicle):
     assert rest["body.roll"] == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.slow
 @BOTH
 def test_a_road_that_is_alike_on_both_sides_does_not_roll_the_car(vehicle):
     run = jn.simulate(vehicle, jn.Trial(road=BUMP, speed=SPEED, duration="0.8 s"))

@@ -380,6 +380,7 @@ def test_doubts_are_read_from_the_campaign(template):
 # --- folders -------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_demo_takes_the_next_number_and_never_overwrites(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     first, second = prepare_demo(), prepare_demo()

@@ -74,6 +74,7 @@ def represented(result, strategy, number=None):
     return tuple(after.channels[name].r2 > REPRESENTED for name in ("sprung.az", "unsprung.az"))
 
 
+@pytest.mark.slow
 def test_the_paper_s_order_comes_out_on_a_bench_with_little_friction(run):
     result = run("kart-low-friction")
     assert represented(result, 1) == (
@@ -87,6 +88,7 @@ def test_the_paper_s_order_comes_out_on_a_bench_with_little_friction(run):
     assert second.reduction_percent > first.reduction_percent  # 65.5 and 31.4 % there
 
 
+@pytest.mark.slow
 def test_dry_friction_alone_takes_the_body_away(run):
     result = run("kart-low-friction", ("friction",))
     assert represented(result, 1)[0] is False

@@ -425,6 +425,8 @@ def _curve(
     lines = lines_of(sweep, values, nodes)
     mean = lines.mean
     is_loop = lines.opening > 0.02 * max(float(np.ptp(values)), _READING.get(unit, 0.0))
+    if is_loop:
+        mean = lines.elastic
     if is_loop and len(nodes) > 6:  # friction sticks at the ends of a loop
         inner = (nodes > nodes[0] + _TIP * np.ptp(nodes)) & (
             nodes < nodes[-1] - _TIP * np.ptp(nodes)

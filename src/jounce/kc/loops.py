@@ -13,6 +13,8 @@ from jounce.core.types import Array
 
 _TURN = 0.05
 """Share of the range by which an input must go back before it counts as turned."""
+_MIDDLE = 0.3
+"""Share of the range about its middle in which friction slips on both branches."""
 _BINS = 60
 """Number of intervals of a branch whose samples are averaged, if it has several times as many."""
 
@@ -92,6 +94,24 @@ class Lines:
         """Mean of both branches, or the only one (the unit of the values)."""
         both = (self.up + self.down) / 2.0
         return np.where(np.isnan(self.up), self.down, np.where(np.isnan(self.down), self.up, both))
+
+    @property
+    def elastic(self) -> Array:
+        """Curve without dry friction (the unit of the values): the branch that comes to an end, less half of the opening.
+
+        Friction has slipped along the branch that comes to an end, and not yet along the one that leaves it, so that the
+        mean of both is too steep there. Exact if all friction slips well before the middle (Masing's rule); otherwise, and
+        without two branches, nearer than the mean line or the mean line itself.
+        """
+        half = (self.up - self.down) / 2.0
+        middle, reach = (self.inputs[0] + self.inputs[-1]) / 2.0, np.ptp(self.inputs) / 2.0
+        away = self.inputs - middle
+        inner = half[np.isfinite(half) & (np.abs(away) <= _MIDDLE * reach)]
+        if not inner.size:
+            return self.mean
+        opening = float(np.median(inner))
+        coming = np.where(away > 0.0, self.up - opening, self.down + opening)
+        return np.where(np.isfinite(half) & (away != 0.0), coming, self.mean)
 
     @property
     def opening(self) -> float:

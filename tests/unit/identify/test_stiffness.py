@@ -265,6 +265,7 @@ def test_a_force_that_falls_on_the_way_is_reported():
     assert "falls by" in messages(fit_stiffness([ForceDeflectionTrial(STROKE, force)]))
 
 
+@pytest.mark.slow
 def test_pooled_interval_honours_the_scatter_between_trials():
     hits, naive = 0, 0
     for seed in range(200):

@@ -45,6 +45,7 @@ def test_a_ride_is_not_doubted_and_its_wrong_records_are(
     )
 
 
+@pytest.mark.slow
 def test_of_a_car_only_what_no_file_tells_is_silent(rides: ModuleType) -> None:
     counted = rides.outcomes(("car",))
     silent = {kind for kind, found in counted.items() if "silently wrong" in found}
