@@ -24,6 +24,7 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.estimate import Estimate, estimate
+from jounce.identify.kc_friction import FrictionCurve, FrictionEffects, strut_friction
 from jounce.identify.update import Identifiability, identifiability
 from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
 from jounce.kc.loops import lines_of, noise_of
@@ -119,7 +120,8 @@ class _Curve:
 
     ``reading`` is the standard deviation of the mean reading at each. ``basis`` (k, j) has its shapes, ``friction``
     (j,) their variances by friction, ``shares`` (j,) those by model error as large as the curve's range; ``copies`` is
-    the number of curves with the same model error.
+    the number of curves with the same model error. ``sweep`` has the inputs as measured, ``is_open`` whether friction
+    opens the loop.
     """
 
     test: str
@@ -133,6 +135,8 @@ class _Curve:
     basis: Array
     shares: Array
     copies: float
+    is_open: bool
+    sweep: Array
 
 
 def update_kc(
@@ -207,10 +211,16 @@ def update_kc(
     low, high = _bounds(rig, parameters)
     paths = tuple(low)
     tests = _tests(measured)
-    friction = _without_friction(rig)
-    findings = [] if friction == rig else [finding("identify.kc_friction_left_out", "axle")]
     options = (to_si(travel, "m", where="travel"), held, handwheel)
-    model = _Model(friction, paths, options)
+    findings: list[Finding] = []
+    rubbed, force = rig, strut_friction(rig, tests, options[0])
+    if force > 0.0:
+        rubbed = axle_of(rig.with_changes({"strut.friction": {"force": force}}), None)
+        findings.append(
+            finding("identify.kc_friction_estimated", "strut.friction.force", force, force=force)
+        )
+    smooth = _without_friction(rig)
+    model = _Model(smooth, paths, options, rubbed)
     curves = _curves(tests, model, noise or {}, quantities, totals, findings)
     problem = _Problem(curves, model, np.array([[low[p], high[p]] for p in paths]))
     return problem.solve(rig, findings)
@@ -284,18 +294,36 @@ class _Model:
     """The axle at values of the free numbers: its curves at the nodes of each test, and their slopes."""
 
     def __init__(
-        self, rig: Rig, paths: tuple[str, ...], options: tuple[float, Held, Handwheel]
+        self,
+        rig: Corner | DependentAxle,
+        paths: tuple[str, ...],
+        options: tuple[float, Held, Handwheel],
+        rubbed: Corner | DependentAxle,
     ) -> None:
         self.rig, self.paths, self.options = rig, paths, options
+        self.effects = None if rubbed == rig else FrictionEffects(rubbed, rig, options[0])
         self.start = np.array([rig.parameters()[path] for path in paths])
 
     def at(self, values: Array) -> Tangents:
         """Return the laboratory of the axle with these numbers."""
-        changed = {
-            p: float(v) for p, v, s in zip(self.paths, values, self.start, strict=True) if v != s
-        }
+        changed = self.changes(values)
         rig = axle_of(self.rig.with_changes(changed) if changed else self.rig, None)
         return Tangents(Laboratory(rig, self.options[0]), self.paths)
+
+    def changes(self, values: Array) -> dict[str, float]:
+        """Return the numbers that differ from the start."""
+        both = zip(self.paths, values, self.start, strict=True)
+        return {path: float(value) for path, value, start in both if value != start}
+
+    def friction(self, values: Array, curves: Sequence[_Curve]) -> list[Array]:
+        """Return what friction adds to each curve, at these numbers."""
+        if self.effects is None:
+            return [np.zeros(len(curve.inputs)) for curve in curves]
+        rows = [
+            FrictionCurve(c.test, c.quantity, c.inputs, is_open=c.is_open, sweep=c.sweep)
+            for c in curves
+        ]
+        return self.effects.of(self.changes(values), rows, *self.options[1:])
 
     def curves(
         self, tangents: Tangents, test: str, inputs: Array, wanted: Sequence[str]
@@ -459,7 +487,19 @@ def _curve(
     opening = max(float(np.mean(gap**2)) - 2.0 * float(sigma) ** 2, 0.0) if gap.size else 0.0
     friction = opening * (_STUCK**2 * shares + _ROUGH**2)
     return _Curve(
-        test, name, unit, family, nodes, mean, each, friction, basis, shares * size**2, copies
+        test,
+        name,
+        unit,
+        family,
+        nodes,
+        mean,
+        each,
+        friction,
+        basis,
+        shares * size**2,
+        copies,
+        bool(is_loop),
+        sweep,
     )
 
 
@@ -514,6 +554,7 @@ class _Problem:
         self.family = np.concatenate(
             [np.full(c.basis.shape[1], self.families.index(c.family)) for c in curves]
         )
+        self.rubbed = model.friction(model.start, curves)
         self.wanted: dict[str, dict[str, Array]] = {}
         for curve in curves:
             self.wanted.setdefault(curve.test, {})[curve.quantity] = curve.inputs
@@ -523,7 +564,7 @@ class _Problem:
         tangents = self.model.at(self.model.start + x * self.half)
         parts, slopes, sizes = [], [], []
         done: dict[tuple[str, bytes], tuple[dict[str, Array], dict[str, Array]]] = {}
-        for curve in self.curves:
+        for curve, rubbed in zip(self.curves, self.rubbed, strict=True):
             key = curve.test, curve.inputs.tobytes()
             if key not in done:
                 names = [
@@ -532,7 +573,7 @@ class _Problem:
                 ]  # fmt: skip
                 done[key] = self.model.curves(tangents, curve.test, curve.inputs, names)
             values, changes = (part[curve.quantity] for part in done[key])
-            off = curve.basis.T @ (curve.values - values)
+            off = curve.basis.T @ (curve.values - rubbed - values)
             parts.append(off)
             slopes.append(curve.basis.T @ changes * self.half)
             sizes.append(float(np.sqrt(off @ off / len(curve.inputs))))
@@ -609,6 +650,7 @@ class _Problem:
         for _ in range(_ROUNDS):
             before = shares
             x, last = self.search(x, shares)
+            self.rubbed = self.model.friction(self.model.start + x * self.half, self.curves)
             shares = self.likely(last[0] + last[1] @ x, last[1])
             if np.all(np.abs(np.log(shares / before)) < 0.05):
                 break

@@ -97,11 +97,11 @@ class Lines:
 
     @property
     def elastic(self) -> Array:
-        """Curve without dry friction (the unit of the values): the branch that comes to an end, less half of the opening.
+        """Curve without dry friction (the unit of the values): the branch that comes to an end, less half the opening.
 
-        Friction has slipped along the branch that comes to an end, and not yet along the one that leaves it, so that the
-        mean of both is too steep there. Exact if all friction slips well before the middle (Masing's rule); otherwise, and
-        without two branches, nearer than the mean line or the mean line itself.
+        Friction has slipped along the branch that comes to an end, and not yet along the one that leaves it: the mean
+        of both is too steep there. Exact if all friction slips well before the middle (Masing's rule); without two
+        branches, the mean line.
         """
         half = (self.up - self.down) / 2.0
         middle, reach = (self.inputs[0] + self.inputs[-1]) / 2.0, np.ptp(self.inputs) / 2.0

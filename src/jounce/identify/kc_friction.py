@@ -1,0 +1,122 @@
+"""What dry friction adds to the curves of K&C tests: simulated, beside the smooth model whose numbers are fitted."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from jounce.core.errors import JounceError
+from jounce.core.types import Array
+from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
+from jounce.kc.loops import lines_of, noise_of
+from jounce.kc.quantities import quantities
+from jounce.kc.tests import TESTS
+from jounce.parts import Corner, DependentAxle, Rig
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+_SAMPLES = 80  # of a measured loop that is simulated
+_CLOSED = 0.05  # of the input's range: ends of a sweep that are closer make it a loop
+_TRIED = 10.0  # N: friction of the strut whose loop is compared with the measured one
+_CLEAR = 6.0  # standard deviations of the noise from which a loop is open
+
+
+class FrictionCurve(NamedTuple):
+    """A fitted curve: test, quantity, inputs of its nodes, whether its loop is open, and the measured sweep (SI)."""
+
+    test: str
+    quantity: str
+    inputs: Array
+    is_open: bool
+    sweep: Array
+
+
+class FrictionEffects:
+    """Simulates the tests with and without friction, as they were measured."""
+
+    def __init__(
+        self, rig: Corner | DependentAxle, smooth: Corner | DependentAxle, travel: float
+    ) -> None:
+        self.rig, self.smooth, self.travel = rig, smooth, travel
+
+    def of(
+        self,
+        changes: Mapping[str, float],
+        curves: Sequence[FrictionCurve],
+        held: Held,
+        handwheel: Handwheel,
+    ) -> list[Array]:
+        """Return for each curve what friction adds at its nodes, at changed numbers; zero where it cannot be told."""
+        pair = [self._laboratory(rig, changes) for rig in (self.rig, self.smooth)]
+        runs: dict[str, list[dict[str, Array]] | None] = {}
+        effects = []
+        for curve in curves:
+            loop = sampled(curve.sweep)
+            if curve.test not in runs:
+                runs[curve.test] = None if loop is None else [
+                    _values(laboratory, curve.test, loop, held, handwheel) for laboratory in pair
+                ]  # fmt: skip
+            run = runs[curve.test]
+            if run is None or loop is None:
+                effects.append(np.zeros(len(curve.inputs)))
+                continue
+            lines = [lines_of(loop, values[curve.quantity], curve.inputs) for values in run]
+            rubbed = lines[0].elastic if curve.is_open else lines[0].mean
+            effects.append(np.nan_to_num(rubbed - lines[1].mean))
+        return effects
+
+    def _laboratory(self, rig: Corner | DependentAxle, changes: Mapping[str, float]) -> Laboratory:
+        return Laboratory(axle_of(rig.with_changes(dict(changes)) if changes else rig, None), self.travel)
+
+
+def sampled(sweep: Array) -> Array | None:
+    """Return some samples of a measured loop, with its ends; None if the sweep is no loop.
+
+    >>> sampled(np.array([0.0, 1.0, 2.0])) is None, sampled(np.array([0.0, 1.0, 0.0, -1.0, 0.0])).tolist()
+    (True, [0.0, 1.0, 0.0, -1.0, 0.0])
+    """
+    reach = float(np.ptp(sweep))
+    if abs(float(sweep[-1] - sweep[0])) > _CLOSED * reach:
+        return None
+    places = np.linspace(0, sweep.size - 1, min(sweep.size, _SAMPLES + 1)).round().astype(int)
+    places = np.unique([*places, int(np.argmin(sweep)), int(np.argmax(sweep))])
+    return np.asarray(sweep[places], dtype=float)
+
+
+def _values(
+    laboratory: Laboratory, test: str, inputs: Array, held: Held, handwheel: Handwheel
+) -> dict[str, Array]:
+    kind = TESTS[test]
+    poses, _ = laboratory.run(kind, inputs, held, handwheel, kind.trail)
+    return {name: variable.values for name, variable in quantities(poses).items()}
+
+
+def strut_friction(rig: Rig, tests: Mapping[str, xr.Dataset], travel: float) -> float:
+    """Return the dry friction of the strut, N, that opens the loop of wheel loads in bounce as measured; else 0."""
+    data, strut = tests.get("bounce"), getattr(rig, "strut", None)
+    if data is None or strut is None or getattr(strut, "friction", None) is not None:
+        return 0.0
+    loop = sampled(np.asarray(data["input"].values, dtype=float))
+    names = [f"{side}.vertical_force" for side in ("left", "right")]
+    names = [name for name in names if name in data]
+    if loop is None or not names:
+        return 0.0
+    try:
+        rubbed = rig.with_changes({"strut.friction": {"force": _TRIED}})
+        run = _values(Laboratory(axle_of(rubbed, None), travel), "bounce", loop, "load", "locked")
+    except JounceError:
+        return 0.0
+    sweep, forces = np.asarray(data["input"].values, dtype=float), []
+    inner = np.linspace(0.3 * float(sweep.min()), 0.3 * float(sweep.max()), 11)
+    for name in names:
+        values = np.asarray(data[name].values, dtype=float)
+        measured, tried = (
+            float(np.nanmedian(lines.up - lines.down))
+            for lines in (lines_of(sweep, values, inner), lines_of(loop, run[name], inner))
+        )
+        if tried > 0.0 and measured > _CLEAR * noise_of(values) / np.sqrt(inner.size):
+            forces.append(_TRIED * measured / tried)
+    return float(np.mean(forces)) if forces else 0.0
