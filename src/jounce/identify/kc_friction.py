@@ -11,7 +11,7 @@ from jounce.core.errors import JounceError
 from jounce.core.types import Array
 from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
 from jounce.kc.loops import lines_of, noise_of
-from jounce.kc.quantities import quantities
+from jounce.kc.quantities import is_of_element, quantities
 from jounce.kc.tests import TESTS
 from jounce.parts import Corner, DependentAxle, Rig
 
@@ -56,8 +56,10 @@ class FrictionEffects:
         for curve in curves:
             loop = sampled(curve.sweep)
             if curve.test not in runs:
+                of_elements = any(map(is_of_element, (c.quantity for c in curves)))
                 runs[curve.test] = None if loop is None else [
-                    _values(laboratory, curve.test, loop, held, handwheel) for laboratory in pair
+                    _values(laboratory, curve.test, loop, held, handwheel, elements=of_elements)
+                    for laboratory in pair
                 ]  # fmt: skip
             run = runs[curve.test]
             if run is None or loop is None:
@@ -69,7 +71,9 @@ class FrictionEffects:
         return effects
 
     def _laboratory(self, rig: Corner | DependentAxle, changes: Mapping[str, float]) -> Laboratory:
-        return Laboratory(axle_of(rig.with_changes(dict(changes)) if changes else rig, None), self.travel)
+        return Laboratory(
+            axle_of(rig.with_changes(dict(changes)) if changes else rig, None), self.travel
+        )
 
 
 def sampled(sweep: Array) -> Array | None:
@@ -87,11 +91,18 @@ def sampled(sweep: Array) -> Array | None:
 
 
 def _values(
-    laboratory: Laboratory, test: str, inputs: Array, held: Held, handwheel: Handwheel
+    laboratory: Laboratory,
+    test: str,
+    inputs: Array,
+    held: Held,
+    handwheel: Handwheel,
+    *,
+    elements: bool,
 ) -> dict[str, Array]:
     kind = TESTS[test]
     poses, _ = laboratory.run(kind, inputs, held, handwheel, kind.trail)
-    return {name: variable.values for name, variable in quantities(poses).items()}
+    every = quantities(poses, elements=elements)
+    return {name: variable.values for name, variable in every.items()}
 
 
 def strut_friction(rig: Rig, tests: Mapping[str, xr.Dataset], travel: float) -> float:
@@ -106,7 +117,8 @@ def strut_friction(rig: Rig, tests: Mapping[str, xr.Dataset], travel: float) -> 
         return 0.0
     try:
         rubbed = rig.with_changes({"strut.friction": {"force": _TRIED}})
-        run = _values(Laboratory(axle_of(rubbed, None), travel), "bounce", loop, "load", "locked")
+        laboratory = Laboratory(axle_of(rubbed, None), travel)
+        run = _values(laboratory, "bounce", loop, "load", "locked", elements=False)
     except JounceError:
         return 0.0
     sweep, forces = np.asarray(data["input"].values, dtype=float), []

@@ -7,6 +7,9 @@ The shares are those that make the differences most likely (restricted maximum l
 measure the same compliance twice (left and right, braking and driving by hub motors) share their model error and count
 once. Quantities of a family share its causes, too, a wrong bushing or friction: together they count as the root of
 their number.
+
+Dry friction is simulated beside the smooth model that is fitted: what it adds to each curve is computed anew in each
+round, so that its slopes need not be known.
 """
 
 from __future__ import annotations
@@ -28,7 +31,7 @@ from jounce.identify.kc_friction import FrictionCurve, FrictionEffects, strut_fr
 from jounce.identify.update import Identifiability, identifiability
 from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
 from jounce.kc.loops import lines_of, noise_of
-from jounce.kc.quantities import Poses, quantities
+from jounce.kc.quantities import Poses, is_of_element, quantities
 from jounce.kc.sensitivities import check_parameters, is_of_bushing
 from jounce.kc.tangents import SETTLED, Tangents
 from jounce.kc.tests import TESTS
@@ -338,16 +341,18 @@ class _Model:
         own = laboratory.multipliers + len(laboratory.controls)
         settled = tangent.settled._replace(multipliers=tangent.settled.multipliers[:, :own])
         settled = settled._replace(**{part: getattr(settled, part)[place] for part in SETTLED})
-        values = quantities_of(Poses(laboratory.axle, settled, path))
+        elements = any(map(is_of_element, wanted))
+        values = quantities_of(Poses(laboratory.axle, settled, path), elements=elements)
         slopes = tangents.slopes(tangent, wanted)
         return {name: values[name] for name in wanted}, {
             n: rows[place] for n, rows in slopes.items()
         }
 
 
-def quantities_of(poses: Poses) -> dict[str, Array]:
+def quantities_of(poses: Poses, *, elements: bool = True) -> dict[str, Array]:
     """Return the quantities of a test as arrays, SI."""
-    return {name: variable.values for name, variable in quantities(poses).items()}
+    every = quantities(poses, elements=elements)
+    return {name: variable.values for name, variable in every.items()}
 
 
 # curves ---------------------------------------------------------------------------------------------------------------

@@ -479,8 +479,12 @@ def kc_tests(
         A corner with hardpoints, a dependent axle, or a 3-D car.
     tests : sequence of str, optional
         Tests by name; all by default.
-    to, points, travel, steer, held, handwheel, trail, on
-        As for `kc_test`; ``to`` applies to every test, so its unit must suit all.
+    to : float or str, optional
+        End of the range of every test, as for `kc_test` (SI or with a unit that suits all).
+    points, held, handwheel, on
+        As for `kc_test`.
+    travel, steer, trail : float or str
+        Height of both pads and rack travel before the tests, and trail of lateral forces, m.
 
     Returns
     -------

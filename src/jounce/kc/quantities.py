@@ -176,8 +176,17 @@ def caster_of(lower: Numbers, upper: Numbers) -> Numbers:
     return _angle(-line[..., 0], line[..., 2])
 
 
-def quantities(poses: Poses) -> dict[str, xr.Variable]:
-    """Return all quantities of a test as variables on ``sample``."""
+def is_of_element(name: str) -> bool:
+    """Whether a quantity is a force or length of a spring, link or bushing.
+
+    >>> is_of_element("left.tie_rod.force"), is_of_element("arb.twist"), is_of_element("left.toe")
+    (True, True, False)
+    """
+    return "." in name.removeprefix("left.").removeprefix("right.")
+
+
+def quantities(poses: Poses, *, elements: bool = True) -> dict[str, xr.Variable]:
+    """Return all quantities of a test as variables on ``sample``, those of springs, links and bushings if asked."""
     axle, places = poses.axle, poses.places()
     out: dict[str, xr.Variable] = {}
 
@@ -210,7 +219,8 @@ def quantities(poses: Poses) -> dict[str, xr.Variable]:
                 values = found[f"{name}_{axis}"]
                 keep(f"{side}.{name}_{axis}", values, "m", f"{label}, from design", positive)
         _keep_road(poses, k, side, keep)
-    _keep_elements(poses, keep)
+    if elements:
+        _keep_elements(poses, keep)
     if axle.steered:
         element = next(e for e in axle.assembly.elements if e.is_control)
         travel = _travel(places, element, axle.bodies["rack"])

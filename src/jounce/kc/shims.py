@@ -60,7 +60,7 @@ class KcShims(Plain, Shown):
     point, test, quantity : str
         Point that a shim moves, test, and quantity.
     along : tuple of float
-        Direction of positive shims.
+        Unit vector [1] of positive shims.
     unit, slope_unit, input_unit : str
         SI units of the quantity, of its slope and of the input.
     low, high : float
@@ -156,7 +156,8 @@ def kc_shims(
     wanted : float or str
         Slope that is sought, SI or with a unit.
     over : float, str or tuple, optional
-        Range of the fitted line: half of it, or its two ends; by default half of the test's range.
+        Range of the fitted line (SI unit of the input, or with a unit): half of it, or its two ends; by default half of
+        the test's range.
     travel : float or str
         Height of the pads before the test, m.
     on : {"front", "rear"}, optional
