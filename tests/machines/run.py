@@ -68,6 +68,17 @@ HERE = f"{sys.version_info.major}.{sys.version_info.minor}"
 OLDEST, NEWEST = promised()[0], promised()[-1]
 THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 SPARED = [name for name in built_numpy.__cpu_dispatch__ if built_numpy.__cpu_features__[name]]
+QUICK = (
+    "core",
+    "kernel",
+    "parts",
+    "recordings",
+    "simulation",
+    "kinematics",
+    "kc",
+    "test_imports.py",
+)
+"""Unit tests that --quick runs on other interpreters and packages: what depends on them, and the engine."""
 NOT_HERE = 77  # what debian.sh ends with where it cannot make one
 
 
@@ -89,7 +100,10 @@ MACHINES = (
     # Old packages warn of what has become of the ones they use.
     Machine("lowest", OLDEST, "lowest", arguments=("-o", "filterwarnings=default"), quick=True),
     Machine("newest", NEWEST, "newest"),
-    *(Machine(f"wheel-{version}", version, "wheel", quick=True) for version in promised() if version != HERE),
+    *(
+        Machine(f"wheel-{version}", version, "wheel", quick=version != NEWEST)  # whose tests --quick runs, too
+        for version in promised() if version != HERE
+    ),
     *(
         Machine(
             f"noise-{seed}", HERE, "here", arguments=("--rounded", f"--rounding-noise={seed}", f"--shuffle={seed}"),
@@ -97,7 +111,7 @@ MACHINES = (
         )
         for seed in range(1, 6)
     ),
-    Machine("threads-4", HERE, "here", dict.fromkeys(THREADS, "4"), ("--rounded",), quick=True),
+    Machine("threads-4", HERE, "here", dict.fromkeys(THREADS, "4"), ("--rounded",)),
     # With --quick nothing is compiled: that sines are right at each level is a test of every run (test_elementary).
     *(
         Machine(
@@ -158,6 +172,7 @@ class Run:
             "--dist",
             "loadfile",
             *(["--quick"] if self.quick else []),
+            *([f"tests/unit/{name}" for name in QUICK] if self.quick and not self.is_here else []),
             *self.machine.arguments,
         ]
         if self.machine.packages == "here":
