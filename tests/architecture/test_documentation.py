@@ -114,7 +114,14 @@ def _shipped_rows_after(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 @pytest.mark.pages
 @pytest.mark.usefixtures("_shipped_rows_after")
-@pytest.mark.parametrize("name", [name for name, page in PAGES.items() if blocks(page)])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.slow] if name == "docs/how-to/campaign.md" else [])
+        for name, page in PAGES.items()
+        if blocks(page)
+    ],  # the tutorial runs the same campaign once
+)
 def test_blocks_run(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "200")

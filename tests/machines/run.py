@@ -79,6 +79,8 @@ QUICK = (
     "test_imports.py",
 )
 """Unit tests that --quick runs on other interpreters and packages: what depends on them, and the engine."""
+READERS = ("core", "recordings", "test_imports.py")
+"""Those that it runs with other versions of packages."""
 NOT_HERE = 77  # what debian.sh ends with where it cannot make one
 
 
@@ -172,7 +174,7 @@ class Run:
             "--dist",
             "loadfile",
             *(["--quick"] if self.quick else []),
-            *([f"tests/unit/{name}" for name in QUICK] if self.quick and not self.is_here else []),
+            *([f"tests/unit/{name}" for name in self._units()] if self.quick else []),
             *self.machine.arguments,
         ]
         if self.machine.packages == "here":
@@ -216,9 +218,14 @@ class Run:
                 self._uv(), "pip", "install", "--quiet", "--python", self.python, "--no-deps", "--no-build-isolation",
                 "--editable", ".",
             )  # fmt: skip
-            self.call(self.python, "-m", "jounce.kernel.loops.make")
+            if not self.quick:  # the demonstration makes those that it needs
+                self.call(self.python, "-m", "jounce.kernel.loops.make")
             self.call(self.python, "-m", "jounce", "demo", "--quick", "--out", "demo")
         self.call(self.python, "-m", "pytest", *tests)
+
+    def _units(self) -> tuple[str, ...]:
+        """Return the unit tests of --quick: all that is rounded here, the engine on other interpreters, else readers."""
+        return {"here": (), "debian": (), "pinned": QUICK}.get(self.machine.packages, READERS)
 
     def _environment(self, *wanted: str) -> None:
         self.call(self._uv(), "venv", "--quiet", "--python", self.place.python, ".venv")
