@@ -224,7 +224,7 @@ class Run:
         self.call(self.python, "-m", "pytest", *tests)
 
     def _units(self) -> tuple[str, ...]:
-        """Return the unit tests of --quick: all that is rounded here, the engine on other interpreters, else readers."""
+        """Return unit tests of --quick: what is rounded here, the engine on other interpreters, else readers."""
         return {"here": (), "debian": (), "pinned": QUICK}.get(self.machine.packages, READERS)
 
     def _environment(self, *wanted: str) -> None:
