@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal, get_args
 
@@ -442,6 +442,7 @@ def run_test(
     behind = test.trail if trail is None else to_si(trail, "m", where="trail")
     poses, findings = laboratory.run(test, inputs, held, handwheel, behind)
     variables = quantities(poses)
+    findings += _steers_opposite(test, inputs, variables)
     label = {"units": test.unit, "long_name": test.what, "positive": test.positive}
     import xarray as xr
 
@@ -456,6 +457,17 @@ def run_test(
         "convention": "ISO 8855 axes: x forward, y left, z up; toe-in and top outward positive",
     }
     return dataset(variables, axes, attributes)
+
+
+def _steers_opposite(
+    test: KCTest, inputs: Array, variables: Mapping[str, xr.Variable]
+) -> Iterator[Finding]:
+    """Yield a finding if the wheels steer to the right when the handwheel turns to the left."""
+    if test.kind == "rack" and "handwheel_angle" in variables:
+        last = int(np.argmax(inputs))
+        wheels = sum(float(variables[f"{side}.steer"].values[last]) for side in SIDES)
+        if float(variables["handwheel_angle"].values[last]) * wheels < 0.0:
+            yield finding("kc.steers_opposite", "steering.rack_ratio")
 
 
 def kc_tests(

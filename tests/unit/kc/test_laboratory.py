@@ -7,6 +7,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import DescriptionError, SimulationError
+from jounce.core.findings import findings_of
 from jounce.kc.axle import BuiltAxle
 from jounce.kc.laboratory import Laboratory, loop
 from jounce.kc.tests import TESTS
@@ -285,3 +286,16 @@ def test_what_cannot_be_tested_is_refused(
 ) -> None:
     with pytest.raises(DescriptionError, match=message):
         jn.kc_test(jn.load(name), test, **options)
+
+
+def test_a_handwheel_that_steers_the_other_way_is_named() -> None:
+    """The tie rods of the shipped rig are behind its axle, so that its rack moves to the right in a left turn."""
+    rig = jn.load("mcpherson-elastic")
+    right = jn.kc_test(rig, "steer", to="20 mm", points=9)
+    assert not [item for item in findings_of(right.attrs) if item.code == "kc.steers_opposite"]
+    ratio = jn.kc_overview({"steer": right}).row("steer", "steering_ratio").axle
+    assert ratio is not None
+    assert ratio > 0.0
+    turned = rig.with_changes({"steering.rack_ratio": "8.5 mm/rad"})
+    wrong = jn.kc_test(turned, "steer", to="20 mm", points=9)
+    assert [item.code for item in findings_of(wrong.attrs)][-1:] == ["kc.steers_opposite"]
