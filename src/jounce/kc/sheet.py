@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib.util import find_spec
@@ -119,18 +120,19 @@ def together(tests: Mapping[str, xr.Dataset]) -> xr.Dataset:
     columns: dict[str, np.ndarray] = {}
     attributes: dict[str, dict[str, Any]] = {}
     for k, dataset in enumerate(tests.values()):
+        variables = dataset.variables  # each item of a dataset is made anew
         for name in map(str, ("input", *dataset.data_vars)):
-            values = np.asarray(dataset[name].values, dtype=float)
+            values = np.asarray(variables[name].values, dtype=float)
             column = columns.setdefault(name, np.full((len(tests), longest), np.nan))
             column[k, : len(values)] = values
-            attributes.setdefault(name, dict(dataset[name].attrs))
+            attributes.setdefault(name, dict(variables[name].attrs))
     units = [str(dataset["input"].attrs["units"]) for dataset in tests.values()]
     axes = {
         "test": list(tests),
         "input": (("test", "sample"), columns.pop("input"), {"long_name": "input of the test"}),
         "input_unit": ("test", units),
     }
-    variables = {
+    both = {
         name: (("test", "sample"), column, attributes[name]) for name, column in columns.items()
     }
     first = next(iter(tests.values())).attrs
@@ -139,19 +141,21 @@ def together(tests: Mapping[str, xr.Dataset]) -> xr.Dataset:
         for key in ("model", "held", "handwheel", "track", "convention")
         if key in first
     }
-    return xr.Dataset(variables, axes, kept)
+    return xr.Dataset(both, axes, kept)
 
 
 def _columns(
     dataset: xr.Dataset, only: Mapping[str, object] | None = None
 ) -> tuple[list[str], np.ndarray]:
     """Return headers with SI units and values (samples, columns) of a test; of some quantities ``only``."""
+    variables = dataset.variables
     names = [
         str(name)
-        for name, variable in dataset.data_vars.items()
-        if variable.dims == ("sample",) and (only is None or quantity_name(str(name)) in only)
+        for name in dataset.data_vars
+        if variables[name].dims == ("sample",)
+        and (only is None or quantity_name(str(name)) in only)
     ]
-    columns = [dataset["input"], *(dataset[name] for name in names)]
+    columns = [variables["input"], *(variables[name] for name in names)]
     header = [
         f"{name} [{column.attrs.get('units', '1')}]"
         for name, column in zip(("input", *names), columns, strict=True)
@@ -163,8 +167,8 @@ def _csv(dataset: xr.Dataset) -> str:
     header, values = _columns(dataset)
     stream = io.StringIO()
     stream.write(f"{','.join(header)}\n")
-    for row in values:
-        stream.write(",".join(f"{v:.12g}" if np.isfinite(v) else "" for v in row) + "\n")
+    for row in values.tolist():
+        stream.write(",".join(f"{v:.12g}" if math.isfinite(v) else "" for v in row) + "\n")
     return stream.getvalue()
 
 

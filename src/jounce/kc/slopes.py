@@ -66,7 +66,8 @@ def kc_slopes(
     unit = str(dataset["input"].attrs.get("units", "1"))
     centre = to_si(about, unit, where="about")
     low, high = _range(centre, within, unit, sweep)
-    names = [name for name in dataset.data_vars if dataset[name].dims == ("sample",)]
+    variables = dataset.variables
+    names = [name for name in dataset.data_vars if variables[name].dims == ("sample",)]
     rows = np.full((4, len(names)), np.nan)
     slack = 1e-9 * float(np.ptp(sweep))
     inside = (sweep >= low - slack) & (sweep <= high + slack)
@@ -84,7 +85,7 @@ def kc_slopes(
         )
     for k, name in enumerate(names):
         rows[:, k] = _fit(
-            sweep, np.asarray(dataset[name].values, dtype=float), inside, centre, low, high
+            sweep, np.asarray(variables[name].values, dtype=float), inside, centre, low, high
         )
     return _result(dataset, [str(name) for name in names], rows, unit, (centre, low, high))
 
@@ -152,7 +153,7 @@ def _result(
 ) -> xr.Dataset:
     import xarray as xr
 
-    units = [str(dataset[name].attrs.get("units", "1")) for name in names]
+    units = [str(dataset.variables[name].attrs.get("units", "1")) for name in names]
     made = xr.Dataset(
         {
             "slope": ("quantity", rows[0], {"long_name": "slope over the input"}),
