@@ -290,6 +290,10 @@ export class Steps<T> {
 
 const PAUSE = 300; // ms
 
+/** A path that breaks after its dots and underscores. */
+const breakable = (path: string) =>
+  path.split(/(?<=[._])/).flatMap((part) => [part, make("wbr", {})]);
+
 /** Parameters of a rig as sliders from 50 % to 150 % of their value; only changes are sent. */
 export class Sliders {
   readonly element = make("div", { class: "sliders" });
@@ -409,7 +413,7 @@ export class Sliders {
       make(
         "div",
         { class: "slider", "data-path": parameter.path },
-        make("span", { class: "name" }, parameter.path),
+        make("span", { class: "name" }, ...breakable(parameter.path)),
         slider,
         number,
         make("span", { class: "unit" }, parameter.unit),
