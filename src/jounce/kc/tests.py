@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -29,7 +30,7 @@ class KCTest:
     trail: float = 0.0
 
 
-_ROLL = 0.0524  # rad: 3 degrees
+_ROLL = math.radians(3.0)
 _EACH = "force of the road on each tyre"
 _LATERAL = "to the left (+y)"
 _REARWARD = "rearward"

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from jounce.core.types import Array
-from jounce.parts import Corner
+from jounce.parts import Corner, DependentAxle
 from jounce.report.chart import Panel
 
 if TYPE_CHECKING:
@@ -16,26 +16,76 @@ if TYPE_CHECKING:
 
 _WIDTH, _HEIGHT, _ROOM = 460, 190, 34
 _ARROW = 46.0
+_SLENDER = 0.65  # width of a tyre over its radius, where nothing says it
 _BEHIND = np.array([[0.0, -1.0, 0.0], [0.0, 0.0, 1.0]])
 _ABOVE = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])
 """Views with the left wheel on the left: directions to the right and up on paper, in ISO axes."""
 _SIDES = (1.0, -1.0)
 
 
+Line = tuple[list[Array], bool]
+"""Places of a line on the left side or the middle, and whether the right side has its mirror image."""
+
+
 def axle_drawing(rig: Any, test: KCTest) -> Panel | None:
     """Draw both wheels with their links and the input of a test: from behind, or from above with forward up."""
-    if not isinstance(rig, Corner):
-        return None
-    from jounce.plots.mechanisms.scene import scene_of
+    if isinstance(rig, DependentAxle):
+        points = {name: np.array(place) for name, place in rig.hardpoints.given().items()}
+        radius = float(rig.wheel.radius)
+        spin, width = np.array([0.0, 1.0, 0.0]), _SLENDER * radius
+        contact = points["wheel_centre"] - np.array([0.0, 0.0, radius])
+        lines = [*_dependent_lines(rig, points), *_strut_lines(points)]
+    elif isinstance(rig, Corner):
+        from jounce.plots.mechanisms.scene import scene_of
 
-    left = rig if rig.side == "left" else rig.mirrored()
+        scene = scene_of(rig if rig.side == "left" else rig.mirrored())
+        points = {name: np.asarray(place) for name, place in scene.design.points.items()}
+        radius, width = scene.radius, scene.width
+        spin, contact = scene.design.spin_axis, scene.design.contact
+        parts = [part.points for part in scene.parts]
+        parts += [ends for ends in (scene.spring, scene.damper) if ends]
+        lines = [([points[name] for name in names if name in points], True) for names in parts]
+    else:
+        return None
+    return _drawing(
+        test, points, lines, _wheel(points["wheel_centre"], spin, radius, width), contact
+    )
+
+
+def _dependent_lines(rig: DependentAxle, points: Mapping[str, Array]) -> Iterator[Line]:
+    """Yield beam and links of a dependent axle."""
+    centre = points["wheel_centre"]
+    if "shear_centre" in points:  # a twist beam joins the trailing arms where its shear centre lies
+        pivot, shear = points["pivot"], points["shear_centre"]
+        share = (pivot[0] - shear[0]) / (pivot[0] - centre[0]) if pivot[0] != centre[0] else 0.5
+        yield [pivot, centre], True
+        yield [pivot + np.clip(share, 0.0, 1.0) * (centre - pivot), shear], True
+        return
+    yield [centre, centre * [1.0, 0.0, 1.0]], True
+    for name in [name.removesuffix("_axle") for name in points if name.endswith("_axle")]:
+        end, other = points[f"{name}_axle"], points[f"{name}_body"]
+        is_single = name.startswith(("panhard", "watt")) or (
+            name == "upper_link" and getattr(rig.hardpoints, "has_centre_link", False)
+        )
+        yield [other, end], not is_single
+        beam = points.get("watt_pivot", np.array([centre[0], end[1], centre[2]]))
+        yield (
+            [end, beam if name.startswith("watt") else np.array([centre[0], end[1], centre[2]])],
+            not is_single,
+        )
+
+
+def _strut_lines(points: Mapping[str, Array]) -> Iterator[Line]:
+    for name in ("strut", "spring", "damper"):
+        if f"{name}_top" in points:
+            yield [points[f"{name}_bottom"], points[f"{name}_top"]], True
+
+
+def _drawing(
+    test: KCTest, points: dict[str, Array], lines: list[Line], wheel: Array, contact: Array
+) -> Panel:
     view = _BEHIND if test.kind in ("heights", "roll", "lateral") else _ABOVE
-    scene = scene_of(left)
-    points = {name: np.asarray(place) for name, place in scene.design.points.items()}
-    wheel = _wheel(points["wheel_centre"], scene.design.spin_axis, scene.radius, scene.width)
-    lines = [[points[name] for name in part.points if name in points] for part in scene.parts]
-    lines += [[points[name] for name in ends] for ends in (scene.spring, scene.damper) if ends]
-    every = np.vstack([wheel, *(np.array(line) for line in lines if line)])
+    every = np.vstack([wheel, *(np.array(line) for line, _ in lines if line)])
     every = np.vstack([every, every * [1.0, -1.0, 1.0]])
     to_paper = _projection(every, view)
     shapes: list[str] = []
@@ -44,10 +94,10 @@ def axle_drawing(rig: Any, test: KCTest) -> Panel | None:
         shapes.append(_polygon(to_paper(_hull(wheel * mirror, view))))
         shapes += [
             _line(to_paper(np.array(line) * mirror), closed=len(line) > 2)
-            for line in lines
-            if len(line) > 1
+            for line, is_mirrored in lines
+            if len(line) > 1 and (is_mirrored or side > 0.0)
         ]
-    contact, centre = scene.design.contact, points["wheel_centre"]
+    centre = points["wheel_centre"]
     ground = to_paper(np.array([contact, contact * [1.0, -1.0, 1.0]]))
     if view is _BEHIND:
         y = ground[0, 1]

@@ -160,9 +160,10 @@ def require_corner(rig: object) -> Corner:
 
     if not isinstance(rig, Corner):
         raise DescriptionError(
-            "only a 3-D rig of one corner can be drawn as a mechanism; this one has no hardpoints",
+            "only a 3-D rig of one corner can be drawn as a mechanism",
             found=getattr(rig, "model", type(rig).__name__),
             allowed="double-wishbone, mcpherson, five-link, trailing-arm",
+            hint="A solid axle or twist beam is drawn on its K&C sheet: `jounce kc`.",
         )
     return rig
 
