@@ -935,6 +935,7 @@ def test_rigs_with_hardpoints_are_known_by_their_text(tmp_path, name):
     table = tomllib.loads(text)
     is_corner = entry.kind == "rig" and table["model"] not in ("solid-axle", "twist-beam")
     assert entry.has_hardpoints == (is_corner and "hardpoints" in table)
+    assert entry.is_dependent == (table["model"] in ("solid-axle", "twist-beam"))
 
 
 def test_whether_a_rig_has_hardpoints_is_asked_of_what_it_is_now(tmp_path):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from jounce.core.types import Array
 from jounce.parts import Corner, DependentAxle
+from jounce.plots.mechanisms.dependent import dependent_lines
 from jounce.report.chart import Panel
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ _ABOVE = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])
 _SIDES = (1.0, -1.0)
 
 
-Line = tuple[list[Array], bool]
+_Line = tuple[list[Array], bool]
 """Places of a line on the left side or the middle, and whether the right side has its mirror image."""
 
 
@@ -34,7 +35,7 @@ def axle_drawing(rig: Any, test: KCTest) -> Panel | None:
         radius = float(rig.wheel.radius)
         spin, width = np.array([0.0, 1.0, 0.0]), _SLENDER * radius
         contact = points["wheel_centre"] - np.array([0.0, 0.0, radius])
-        lines = [*_dependent_lines(rig, points), *_strut_lines(points)]
+        lines: list[_Line] = [(line.places, line.is_mirrored) for line in dependent_lines(rig)]
     elif isinstance(rig, Corner):
         from jounce.plots.mechanisms.scene import scene_of
 
@@ -52,37 +53,8 @@ def axle_drawing(rig: Any, test: KCTest) -> Panel | None:
     )
 
 
-def _dependent_lines(rig: DependentAxle, points: Mapping[str, Array]) -> Iterator[Line]:
-    """Yield beam and links of a dependent axle."""
-    centre = points["wheel_centre"]
-    if "shear_centre" in points:  # a twist beam joins the trailing arms where its shear centre lies
-        pivot, shear = points["pivot"], points["shear_centre"]
-        share = (pivot[0] - shear[0]) / (pivot[0] - centre[0]) if pivot[0] != centre[0] else 0.5
-        yield [pivot, centre], True
-        yield [pivot + np.clip(share, 0.0, 1.0) * (centre - pivot), shear], True
-        return
-    yield [centre, centre * [1.0, 0.0, 1.0]], True
-    for name in [name.removesuffix("_axle") for name in points if name.endswith("_axle")]:
-        end, other = points[f"{name}_axle"], points[f"{name}_body"]
-        is_single = name.startswith(("panhard", "watt")) or (
-            name == "upper_link" and getattr(rig.hardpoints, "has_centre_link", False)
-        )
-        yield [other, end], not is_single
-        beam = points.get("watt_pivot", np.array([centre[0], end[1], centre[2]]))
-        yield (
-            [end, beam if name.startswith("watt") else np.array([centre[0], end[1], centre[2]])],
-            not is_single,
-        )
-
-
-def _strut_lines(points: Mapping[str, Array]) -> Iterator[Line]:
-    for name in ("strut", "spring", "damper"):
-        if f"{name}_top" in points:
-            yield [points[f"{name}_bottom"], points[f"{name}_top"]], True
-
-
 def _drawing(
-    test: KCTest, points: dict[str, Array], lines: list[Line], wheel: Array, contact: Array
+    test: KCTest, points: dict[str, Array], lines: list[_Line], wheel: Array, contact: Array
 ) -> Panel:
     view = _BEHIND if test.kind in ("heights", "roll", "lateral") else _ABOVE
     every = np.vstack([wheel, *(np.array(line) for line, _ in lines if line)])

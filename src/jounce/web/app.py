@@ -36,6 +36,7 @@ from jounce.web.project import (
     Version,
     has_axle,
     has_hardpoints,
+    is_dependent,
     unusable,
 )
 from jounce.web.records import Records
@@ -296,6 +297,7 @@ def create_app(
                 "source": str(table.get("source", "")),
                 "has_hardpoints": has_hardpoints(table),
                 "has_axle": has_axle(table),
+                "is_dependent": is_dependent(table),
             }
             for name, table in tables.items()
         ]

@@ -52,7 +52,8 @@ class Entry:
     """One file of a project: path in the folder, kind, and modification time (s since 1970).
 
     A sweep is one entry: its folder, with the number of ``finished`` shards and the total ``count``. A rig with
-    ``has_hardpoints`` supports kinematic sweeps, a rig or vehicle that ``has_axle`` can be tested on the K&C rig.
+    ``has_hardpoints`` supports kinematic sweeps, a rig or vehicle that ``has_axle`` can be tested on the K&C rig;
+    ``is_dependent`` is a solid axle or twist beam, which only that rig takes.
     """
 
     path: str
@@ -63,6 +64,7 @@ class Entry:
     count: int | None = None
     has_hardpoints: bool = False
     has_axle: bool = False
+    is_dependent: bool = False
 
 
 @dataclass(frozen=True)
@@ -149,6 +151,7 @@ class Project:
                             state.st_mtime,
                             has_hardpoints=has_hardpoints(table),
                             has_axle=has_axle(table),
+                            is_dependent=is_dependent(table),
                         )
                     )
             if len(entries) == _MOST:
@@ -354,7 +357,12 @@ def _kind(file: Path) -> str:
 
 def has_hardpoints(table: Mapping[str, Any]) -> bool:
     """Whether a rig is a corner with hardpoints, whose kinematics can be swept."""
-    return "hardpoints" in table and table.get("model") not in _DEPENDENT
+    return "hardpoints" in table and not is_dependent(table)
+
+
+def is_dependent(table: Mapping[str, Any]) -> bool:
+    """Whether a rig is a solid axle or a twist beam."""
+    return table.get("model") in _DEPENDENT
 
 
 def has_axle(table: Mapping[str, Any]) -> bool:

@@ -9,6 +9,7 @@ export interface Entry {
   count: number | null;
   has_hardpoints: boolean;
   has_axle: boolean;
+  is_dependent: boolean;
 }
 
 export interface Text {

@@ -124,6 +124,7 @@ export interface Shipped {
   source: string;
   has_hardpoints: boolean;
   has_axle: boolean;
+  is_dependent: boolean;
 }
 export const library = () => get<Shipped[]>("/api/library");
 export const file = (path: string) => get<answers.Text>(`/api/file?${query({ path })}`);

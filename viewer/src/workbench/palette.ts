@@ -93,14 +93,10 @@ async function everywhere(pages: Record<string, string>): Promise<Goal[]> {
           go: open(page, { [key]: entry.path }),
         })),
     ),
-    ...library.flatMap((shipped) => [
-      {
-        words: `${shipped.name}: ${tr("drive")}`,
-        where: `${tr("shipped with jounce")}, ${kindOf(shipped)}`,
-        go: open("trial", { rig: shipped.name }),
-      },
-      ...(
+    ...library.flatMap((shipped) =>
+      (
         [
+          ["trial", "drive"],
           ["kinematics", "kinematics"],
           ["kc", "K&C"],
         ] as const
@@ -111,7 +107,7 @@ async function everywhere(pages: Record<string, string>): Promise<Goal[]> {
           where: `${tr("shipped with jounce")}, ${kindOf(shipped)}`,
           go: open(page, { rig: shipped.name }),
         })),
-    ]),
+    ),
   ];
 }
 

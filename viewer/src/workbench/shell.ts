@@ -47,8 +47,13 @@ export const OPENS: Record<string, [page: string, key: string, words: string][]>
 /** Whether a page can open a rig or vehicle. */
 export const canShow = (
   page: string,
-  rig: { has_hardpoints: boolean; has_axle: boolean },
-): boolean => (page === "kinematics" ? rig.has_hardpoints : page === "kc" ? rig.has_axle : true);
+  rig: { has_hardpoints: boolean; has_axle: boolean; is_dependent: boolean },
+): boolean =>
+  page === "kinematics"
+    ? rig.has_hardpoints
+    : page === "kc"
+      ? rig.has_axle
+      : page === "rig" || !rig.is_dependent;
 
 /** Parses a value of an address as JSON; empty if it is not valid. */
 export function given<T extends object>(text: string | null): T {

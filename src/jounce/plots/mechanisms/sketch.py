@@ -7,10 +7,12 @@ from collections.abc import Iterable
 import numpy as np
 
 from jounce.core.types import Array
+from jounce.parts.axles import DependentAxle
 from jounce.parts.corners import Corner
 from jounce.parts.rig import Rig
 from jounce.parts.vehicles import FullCar, FullCar3D, Vehicle
 from jounce.plots.figures import PALETTE
+from jounce.plots.mechanisms.dependent import dependent_lines
 from jounce.plots.mechanisms.drawing import RUBBER, circle, coil, views_of
 from jounce.plots.mechanisms.scene import Scene, scene_of
 
@@ -23,8 +25,8 @@ def sketch(rig: Rig | Vehicle) -> str:
     """Draw a rig or vehicle without words, as the text of an SVG picture of 160 by 110 px.
 
     A corner with hardpoints is drawn from ahead, inboard and above at design; of a vehicle of such corners, the whole
-    front axle is. Every other model is drawn as masses on springs: one axle, two seen from the side, or the four
-    wheels of a full car, those of the far side behind.
+    front axle is. A solid axle or twist beam is drawn with both wheels, from behind. Every other model is drawn as
+    masses on springs: one axle, two seen from the side, or the four wheels of a full car, those of the far side behind.
 
     Parameters
     ----------
@@ -47,6 +49,8 @@ def sketch(rig: Rig | Vehicle) -> str:
         return _picture([*_mechanism(scene, mirrored=True), *_mechanism(scene)])
     if isinstance(rig, Corner):
         return _picture(_mechanism(scene_of(rig)))
+    if isinstance(rig, DependentAxle):
+        return _picture(_axle(rig))
     if isinstance(rig, FullCar):
         return _picture(_four_wheels())
     return _picture(_lumped(2 if isinstance(rig, Vehicle) else 1))
@@ -82,6 +86,26 @@ def _parts(scene: Scene) -> Iterable[_Line]:
             scene.strut_colour,
             2.2,
         )
+
+
+_ABOVE_AND_BEHIND = np.array([[-0.3, -0.95, 0.0], [0.35, -0.1, 0.93]])
+"""View of a dependent axle: directions to the right and up on paper."""
+_AXLE_COLOURS = {"beam": (_INK, 2.8), "link": (PALETTE[0], 2.0), "strut": (PALETTE[3], 1.8)}
+
+
+def _axle(rig: DependentAxle) -> Iterable[_Line]:
+    """Draw a dependent axle with both wheels, from above and behind."""
+    centre, radius = np.array(rig.hardpoints.wheel_centre), float(rig.wheel.radius)
+    for side in (1.0, -1.0):
+        mirror = np.array([1.0, side, 1.0])
+        for share in (-0.3, 0.3):
+            middle = centre * mirror + share * radius * np.array([0.0, 1.0, 0.0])
+            rim = circle(middle, np.array([0.0, 1.0, 0.0]), radius)
+            yield rim @ _ABOVE_AND_BEHIND.T, RUBBER, 1.2
+        for line in dependent_lines(rig):
+            if line.is_mirrored or side > 0.0:
+                colour, width = _AXLE_COLOURS[line.part]
+                yield (np.array(line.places) * mirror) @ _ABOVE_AND_BEHIND.T, colour, width
 
 
 def _lumped(axles: int) -> Iterable[_Line]:

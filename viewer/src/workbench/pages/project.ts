@@ -121,7 +121,9 @@ export async function show(place: HTMLElement): Promise<void> {
         },
         tr("choose"),
       ),
-      make("a", { href: address("trial", { rig: shipped.name }) }, tr("drive")),
+      shipped.is_dependent
+        ? make("a", { href: address("kc", { rig: shipped.name }) }, tr("K&C"))
+        : make("a", { href: address("trial", { rig: shipped.name }) }, tr("drive")),
     ]),
     ...(kept.length ? [make("h2", {}, tr("Saved runs")), history(kept)] : []),
     ...comparison(entries, kept, library),
@@ -258,7 +260,9 @@ interface Usable {
 }
 async function usable(entries: api.Entry[]): Promise<Usable> {
   const broken: string[] = [];
-  for (const rig of entries.filter((entry) => entry.kind === "rig").slice(0, MOST_TRIED)) {
+  for (const rig of entries
+    .filter((entry) => entry.kind === "rig" && !entry.is_dependent)
+    .slice(0, MOST_TRIED)) {
     try {
       await api.rig(rig.path);
       return { rig, broken };
