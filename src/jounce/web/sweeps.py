@@ -182,7 +182,8 @@ def _study_targets(project: Project, study: str) -> list[Mapping[str, Any]]:
 def _bands(
     rig: Rig, targets: Sequence[Mapping[str, Any]], over: Over, viewer: Viewer
 ) -> list[dict[str, Any]]:
-    """Return the targets along the axis of the sweep, in the units of their panes."""
+    """Return the targets along the axis of the sweep, in the units of their panes; those of K&C tests have none."""
+    targets = [target for target in targets if not target.get("test")]
     if not targets:
         return []
     from jounce.design.kinematic_study import KinematicTarget
