@@ -16,6 +16,7 @@ from jounce.kc.quantities import Poses, quantities
 from jounce.kc.slopes import slope_unit
 from jounce.kc.tangents import DIRECTIONS, SETTLED, Tangents
 from jounce.kc.tests import TESTS, KCTest
+from jounce.kernel import equilibrium as eq
 from jounce.parts import Rig
 from jounce.parts.rig import unit_of
 
@@ -29,8 +30,14 @@ def kc_parameters(rig: Rig) -> tuple[str, ...]:
     """Return the paths of all numbers that equilibria of an axle depend on: hardpoints, stiffnesses, preloads."""
     read = build_axle(rig).read
     listed = [path for path in read if path not in _STATED]
-    axle = build_axle(rig, listed)
-    moves = {int(column) for column in axle.assembly.seeds().places[:, 1]}
+    assembly = build_axle(rig, listed).assembly
+    seeds, moves = assembly.seeds(), set()
+    for (place, column), change in zip(seeds.places.tolist(), seeds.changes.copy(), strict=True):
+        if place >= 0 and assembly.elements[place].kind == eq.BUSHING:  # curves replace stiffnesses
+            laws = assembly.elements[place].laws
+            change[[eq.K + k for k, law in enumerate(laws) if law is not None]] = 0.0
+        if change.any():
+            moves.add(column)
     return tuple(path for i, path in enumerate(listed) if i in moves)
 
 

@@ -163,3 +163,12 @@ def test_a_whole_point_stands_for_its_coordinates() -> None:
 def test_unknown_names_are_refused(options: dict, message: str) -> None:
     with pytest.raises(DescriptionError, match=message):
         jn.kc_sensitivities(jn.load("generic-mcpherson"), **({"tests": "bounce"} | options))
+
+
+def test_a_stiffness_that_a_curve_replaces_is_no_parameter() -> None:
+    rig = jn.load("double-wishbone-elastic")
+    curves = rig.bushings.lower_arm_rear.curves
+    assert curves.x is not None
+    assert curves.y is None
+    own = [path for path in kc_parameters(rig) if path.startswith("bushings.lower_arm_rear.stiff")]
+    assert own == [f"bushings.lower_arm_rear.stiffness[{k}]" for k in (1, 2)]
