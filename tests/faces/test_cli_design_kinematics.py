@@ -396,4 +396,5 @@ def test_a_study_file_gives_a_report_with_the_curves_of_the_test(
     assert done.exit_code == 0, done.err
     page = Path("out/report.html").read_text(encoding="utf-8")
     assert "Curves of the K&amp;C tests with targets" in page
+    assert "deg/deg" in page
     assert jn.load("out/rig.toml").hardpoints.pivot[2] > 0.31

@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from jounce.core.display import display_unit
+from jounce.core.display import DisplayUnit, display_unit
 from jounce.core.old_names import old_argument
 from jounce.kc.laboratory import kc_test
+from jounce.kc.overview import usual_unit
 from jounce.kc.tests import TESTS
 from jounce.kinematics import sweep_travel
 from jounce.parts import Corner
@@ -140,10 +141,19 @@ def _fight(design: KinematicDesign, fight: Any) -> str:
     return f"{missed} conflicts with {other}: improving one worsens the other ({number(fight.cosine, 2)})."
 
 
+def _unit_of_target(target: TargetResult) -> DisplayUnit:
+    """Return the unit of a target's values: of a row of a K&C sheet, that in which laboratories write it."""
+    if not target.test:
+        return display_unit(target.unit, float(np.max(np.abs(target.after))))
+    over = TESTS[target.along].unit
+    own = over if target.unit == "1" else target.unit
+    return usual_unit(own.removesuffix(f"/{over}").removesuffix(f"/({over})"), over)
+
+
 def _targets(design: KinematicDesign) -> PageTable:
     rows: list[tuple[Cell | str, ...]] = []
     for target in design.targets:
-        unit = display_unit(target.unit, float(np.max(np.abs(target.after))))
+        unit = _unit_of_target(target)
         rows.append(
             (
                 _name(target) + (", must hold" if target.must else ""),
