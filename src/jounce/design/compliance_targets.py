@@ -129,6 +129,7 @@ class SheetEvaluator:
 
     def together(self, numbers: Array, *, slopes: bool = True) -> tuple[Array, Array]:
         """Return the rows (n,) at parameters, NaN where a test cannot be done, and their slopes (n, directions)."""
+        self._why = ""
         values = np.full(len(self.rows), np.nan)
         along = np.full((len(self.rows) if slopes else 0, self._directions.shape[1]), np.nan)
         changes = {

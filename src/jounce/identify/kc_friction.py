@@ -67,13 +67,21 @@ class FrictionEffects:
                 continue
             lines = [lines_of(loop, values[curve.quantity], curve.inputs) for values in run]
             rubbed = lines[0].elastic if curve.is_open else lines[0].mean
-            effects.append(np.nan_to_num(rubbed - lines[1].mean))
+            effects.append(_filled(curve.inputs, rubbed - lines[1].mean))
         return effects
 
     def _laboratory(self, rig: Corner | DependentAxle, changes: Mapping[str, float]) -> Laboratory:
         return Laboratory(
             axle_of(rig.with_changes(dict(changes)) if changes else rig, None), self.travel
         )
+
+
+def _filled(inputs: Array, effect: Array) -> Array:
+    """Continue an effect to nodes at which a branch is missing; zero without any."""
+    known = np.isfinite(effect)
+    if not known.any():
+        return np.zeros(len(inputs))
+    return np.asarray(np.interp(inputs, inputs[known], effect[known]))
 
 
 def sampled(sweep: Array) -> Array | None:

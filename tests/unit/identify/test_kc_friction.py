@@ -1,0 +1,63 @@
+"""Dry friction in updates to K&C sheets: estimated from bounce, simulated, and counted."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import jounce as jn
+from jounce.identify.kc_friction import FrictionCurve, FrictionEffects, strut_friction
+
+RIG = jn.load("generic-mcpherson")
+SPRING = "strut.spring.rate"
+RUBBED = RIG.with_changes({"strut.friction": {"force": 60.0}})
+
+
+@pytest.mark.parametrize("noise", [0.0, 3.0])
+def test_the_friction_of_the_strut_follows_from_the_loop_of_wheel_loads(noise: float) -> None:
+    sheet = jn.kc_test(RUBBED, "bounce")
+    rng = np.random.default_rng(1)
+    for name in ("left.vertical_force", "right.vertical_force"):
+        seen = sheet[name].values + rng.normal(0.0, noise, sheet.sizes["sample"])
+        sheet[name] = sheet[name].copy(data=seen)
+    assert strut_friction(RIG, {"bounce": sheet}, 0.0) == pytest.approx(60.0, rel=0.02 + noise / 60)
+
+
+def test_without_a_loop_or_with_stated_friction_nothing_is_estimated() -> None:
+    plain = {"bounce": jn.kc_test(RIG, "bounce")}
+    assert strut_friction(RIG, plain, 0.0) == 0.0
+    assert strut_friction(RUBBED, {"bounce": jn.kc_test(RUBBED, "bounce")}, 0.0) == 0.0
+    half = {"bounce": jn.kc_test(RUBBED, "bounce").isel(sample=slice(0, 11))}
+    assert strut_friction(RIG, half, 0.0) == 0.0
+
+
+def test_what_friction_adds_is_the_difference_of_both_simulations() -> None:
+    """In a test with forces a strut that sticks keeps the wheel from rising: no loop shows it."""
+    with_it, without = (jn.kc_test(rig, "lateral-opposed") for rig in (RUBBED, RIG))
+    x = with_it["input"].values
+    nodes = np.array([-1000.0, -500.0, 0.0, 500.0, 1000.0])
+    curve = FrictionCurve("lateral-opposed", "left.camber", nodes, is_open=False, sweep=x)
+    (added,) = FrictionEffects(RUBBED, RIG, 0.0).of({}, [curve], "load", "locked")
+    assert {len(np.unique(np.round(run["input"].values))) for run in (with_it, without)} == {21}
+
+    def mean(run: object) -> np.ndarray:
+        values = run["left.camber"].values  # type: ignore[index]
+        down = np.interp(nodes, x[10:31][::-1], values[10:31][::-1])
+        up = np.interp(nodes, [*x[30:-1], *x[:11]], [*values[30:-1], *values[:11]])
+        return 0.5 * (up + down)
+
+    want = mean(with_it) - mean(without)
+    assert added == pytest.approx(want, abs=1e-9)
+    assert np.abs(added).max() > 1e-5
+
+
+@pytest.mark.parametrize("start", [RIG, RUBBED], ids=["not stated", "stated"])
+def test_a_spring_beside_friction_is_found(start: jn.Rig) -> None:
+    truth = RUBBED.with_changes({SPRING: 1.1 * RIG.parameters()[SPRING]})
+    sheet = {name: jn.kc_test(truth, name) for name in ("bounce", "roll")}
+    fit = jn.update_kc(start, sheet, {SPRING: "30 %"})
+    estimate = fit.parameters[SPRING]
+    assert estimate.value == pytest.approx(truth.parameters()[SPRING], rel=2e-3)
+    assert estimate.has(truth.parameters()[SPRING])
+    named = {item.code for item in fit.findings}
+    assert ("identify.kc_friction_estimated" in named) == (start is RIG)
