@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -200,8 +201,16 @@ def sources(request: pytest.FixtureRequest) -> dict[str, dict[str, str] | None]:
     return request.config.stash[SOURCES]
 
 
+@pytest.hookimpl(tryfirst=True)  # before pytest leaves out what is slow
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Files in random order, and the tests within each: a file's fixtures are made once all the same."""
+    """Mark what ``some`` leaves out; files in random order, and the tests within each: fixtures are made once still."""
+    cases: Counter[tuple[Path, str]] = Counter()
+    for item in items:
+        if (share := item.get_closest_marker("some")) and isinstance(item, pytest.Function):
+            name = item.path, item.originalname
+            if cases[name] % share.args[0]:
+                item.add_marker(pytest.mark.slow)
+            cases[name] += 1
     if (seed := config.getoption("--shuffle")) is not None:
         place = random.Random(seed)
         files = {item.path: place.random() for item in items}

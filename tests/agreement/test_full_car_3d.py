@@ -166,6 +166,7 @@ def test_accelerations_and_forces_agree_in_any_motion(name, seed):
 
 
 @pytest.mark.parametrize("name", CARS)
+@pytest.mark.some(2)
 def test_reactions_and_hardpoints_agree_in_any_motion(name):
     """Forces and torques of all joints, of the four corners and of the body on its guide; kN in these motions."""
     shipped, twin = build(CARS[name], detail=True), full_car_in_ground_axes(CARS[name], detail=True)

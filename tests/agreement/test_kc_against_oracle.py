@@ -259,6 +259,7 @@ def test_every_quantity_of_every_test(both: Both, state: str) -> None:
 
 @pytest.mark.parametrize("test", ["bounce", "braking", "aligning-opposed", "lateral-opposed"])
 @pytest.mark.parametrize("rig", [double_wishbone, mcpherson])
+@pytest.mark.some(2)
 def test_a_free_handwheel(rig, test: str) -> None:
     Both(rig(), 0.05).compare(test, handwheel="free")
 

@@ -86,6 +86,7 @@ RIGS = (
 
 
 @pytest.mark.parametrize("name", RIGS)
+@pytest.mark.some(3)
 def test_every_quantity_over_travel(name: str, request: pytest.FixtureRequest) -> None:
     rig = rig_named(name, request)
     twin, span = twin_of(rig), 0.3 if name == "kart-double-wishbone" else 1.0

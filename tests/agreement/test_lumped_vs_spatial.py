@@ -63,6 +63,7 @@ RIGS = {
 
 
 @pytest.mark.parametrize("name", RIGS)
+@pytest.mark.some(2)
 def test_modes_with_masses_rates_and_inertance_are_those_of_the_mechanism(name):
     rig = RIGS[name]
     spatial, lumped = jn.modes(rig), lump(rig).modes()

@@ -136,6 +136,7 @@ def compare(twin, rig, road, *, duration: float = 0.6, allowed: float = 2e-8) ->
 
 
 @pytest.mark.parametrize("name", RIGS)
+@pytest.mark.some(2)
 def test_laws(twin, name):
     allowed = (
         3e-7 if name == "friction" else 2e-8

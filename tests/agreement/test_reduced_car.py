@@ -123,6 +123,7 @@ def reduction():
     return found
 
 
+@pytest.mark.slow
 def test_random_cars_agree_within_the_tolerance():
     random = np.random.default_rng(SEED)
     found = [compare(*random_case(random, CAR)) for _ in range(3)]

@@ -99,6 +99,7 @@ def test_half_car_on_a_step_and_under_a_load_from_the_start(vehicle_twin, compat
     ids=lambda road: road.kind,
 )
 @pytest.mark.parametrize("model", WHEELS)
+@pytest.mark.some(3)
 def test_roads(vehicle_twin, model, road):
     compare(vehicle_twin, WHEELS[model], road, allowed=5e-8)
 
@@ -212,6 +213,7 @@ LAWS = {
 
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("model", WHEELS)
+@pytest.mark.some(3)
 def test_laws(vehicle_twin, model, law):
     right = BUMP if model == "full-car" else None
     compare(

@@ -88,7 +88,7 @@ def test_animate_says_when_nothing_happens(cli, bump: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("draw", "kart-quarter-car"), "has no hardpoints"),
+        (("draw", "kart-quarter-car"), "only a 3-D rig of one corner can be drawn"),
         (("draw", RIG, "--figure", "a.jpg"), "not written in this format"),
         (("draw", RIG, "--figure", "no/a.png"), "does not exist"),
         (("draw", RIG, "--travel", "-20 mm:20 mm:1 mm"), "too many poses"),
@@ -110,7 +110,10 @@ def test_animate_says_when_nothing_happens(cli, bump: Path) -> None:
             ("animate", RIG, "--road", "bump.toml", "--speed", "1 m/s", "--report", "a.html"),
             "--duration is missing",
         ),
-        (("animate", "kart-quarter-car", *TRAVEL, "--report", "a.html"), "has no hardpoints"),
+        (
+            ("animate", "kart-quarter-car", *TRAVEL, "--report", "a.html"),
+            "only a 3-D rig of one corner can be drawn",
+        ),
     ],
 )
 def test_mistakes(cli, bump: Path, words: tuple[str, ...], message: str, tmp_path: Path) -> None:

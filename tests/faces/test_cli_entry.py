@@ -229,6 +229,7 @@ def test_terminal_without_unicode(words: tuple[str, ...], decay_file: Path) -> N
     ],
     ids=["C", "C without UTF-8", "ASCII", "Latin 1"],
 )
+@pytest.mark.some(2)
 def test_names_of_files_are_shown_whole(
     tmp_path: Path, environment: dict[str, str], shown: str
 ) -> None:

@@ -235,8 +235,11 @@ def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("draw", FULL), "has no hardpoints"),
-        (("animate", FULL, "--report", "a.html", *DRIVE), "has no hardpoints"),
+        (("draw", FULL), "only a 3-D rig of one corner can be drawn"),
+        (
+            ("animate", FULL, "--report", "a.html", *DRIVE),
+            "only a 3-D rig of one corner can be drawn",
+        ),
         (("kinematics", HALF, "--travel", "0"), "a lumped rig has no kinematics"),
         (
             ("kinematics", "formula-student-car", "--travel", "0"),

@@ -97,6 +97,7 @@ def _used(result) -> set[int]:
     "damage",
     [pytest.param(x, marks=[pytest.mark.slow] if k % 3 else []) for k, x in enumerate(DAMAGES)],
 )
+@pytest.mark.some(2)
 def test_one_bad_trial(campaign: Path, damaged, damage: str) -> None:
     damaged("trials/02.csv", DAMAGES[damage])
     result = run_campaign(campaign)
@@ -115,6 +116,7 @@ def test_one_bad_trial(campaign: Path, damaged, damage: str) -> None:
     "table",
     ["tyre_031_2", *(pytest.param(x, marks=pytest.mark.slow) for x in ("spring_1", "decay_1"))],
 )
+@pytest.mark.some(2)
 def test_one_bad_bench_file(campaign: Path, damaged, table: str, damage: str) -> None:
     change = DAMAGES[damage] if damage != "a bomb of a unit" else with_header("mm", "m^9**9**9**9")
     damaged(f"bench/{table}.csv", change)
@@ -126,6 +128,7 @@ def test_one_bad_bench_file(campaign: Path, damaged, table: str, damage: str) ->
 
 
 @pytest.mark.parametrize("sample", ["mat5", "mat73", "tdms"])
+@pytest.mark.some(3)
 def test_a_binary_recording_cut_off(campaign: Path, damaged, sample: str) -> None:
     made = recordings.sample(sample)
     other = campaign.parent / "trials" / made.name

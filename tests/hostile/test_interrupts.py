@@ -68,6 +68,7 @@ def whole_time(tmp_path_factory):
         *((part, number) for part in (0.1, 0.4) for number in (signal.SIGTERM, signal.SIGHUP)),
     ],
 )
+@pytest.mark.some(2)
 def test_ended_with_an_empty_cache(tmp_path, whole_time, part, number):
     for attempt in range(
         5

@@ -101,6 +101,7 @@ def evil(monkeypatch, tmp_path):
         ("refused", r"^here: wrong; found 3; allowed: less\. Try\.$"),
     ],
 )
+@pytest.mark.some(2)
 def test_what_a_file_does_is_one_message(evil, what: str, says: str) -> None:
     with pytest.raises(JounceError, match=says):
         evil(what, 1.0 if what in ("loop", "sleep") else 20.0)

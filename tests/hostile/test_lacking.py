@@ -177,6 +177,7 @@ def test_a_child_that_is_ended_from_outside_says_nothing_of_the_file(fresh, tmp_
     ids=lambda words: words[0],
 )
 @pytest.mark.parametrize("megabytes", [250, 500])
+@pytest.mark.some(2)
 def test_little_memory_is_named_and_not_the_duration(tmp_path, words, megabytes):
     command = [
         "sh",

@@ -40,6 +40,7 @@ def is_possible(*words):
     [("ro", os.strerror(30)), ("size=4k", os.strerror(28))],
     ids=["read-only", "full"],
 )
+@pytest.mark.some(2)
 def test_without_shared_memory_one_process_does_the_sweep(tmp_path, options, reason):
     apart = ["unshare", "--mount"]
     if not is_possible(*apart, "mount", "-t", "tmpfs", "none", "/dev/shm"):

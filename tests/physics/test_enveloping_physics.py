@@ -178,6 +178,7 @@ def brute(of, cam, x):
     ],
     ids=lambda of: of.kind,
 )
+@pytest.mark.some(3)
 def test_envelopes_are_those_of_a_million_points(of) -> None:
     x = np.linspace(0.65, 1.85, 121)
     felt = circle(of, step=R / 40)

@@ -251,6 +251,7 @@ def test_results_converge_with_the_tolerance():
     assert errors[0] > errors[1] > errors[2]
 
 
+@pytest.mark.slow
 def test_a_joint_at_the_centre_of_gravity_is_the_free_body():
     """The spherical joint lets the body yaw as well, which nothing on an even road makes it do."""
     trial = jn.Trial(road=BUMP, speed=SPEED, duration="0.6 s")

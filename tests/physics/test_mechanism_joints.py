@@ -149,6 +149,7 @@ SWAPPED = [(kind, True) for kind in KINDS if kind not in SAME_BOTH_WAYS]
 
 
 @pytest.mark.parametrize(("kind", "swapped"), [*((kind, False) for kind in KINDS), *SWAPPED])
+@pytest.mark.some(2)
 def test_closing_joint_moves_as_the_joint_of_the_tree(kind: str, swapped: bool):
     tree, loop = run_of(kind, False, swapped), run_of(kind, True, swapped)
     for name in tree.data_vars:

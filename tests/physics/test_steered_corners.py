@@ -26,6 +26,7 @@ def test_there_are_corners_to_steer():
 
 
 @pytest.mark.parametrize("name", STEERED)
+@pytest.mark.some(3)
 def test_a_steered_wheel_rests_where_its_run_begins(name):
     for rack in RACKS:
         rig = steered(name, rack)

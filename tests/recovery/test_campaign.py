@@ -425,6 +425,7 @@ def problems(result):
 @pytest.mark.parametrize(
     "damage", ["missing", "empty", "nan", "text", "short", "zero time", "no unit"]
 )
+@pytest.mark.some(3)
 def test_one_bad_trial_does_not_lose_the_others(template, damage):
     file = template.parent / "trials" / "02.csv"
     lines = file.read_text().splitlines()

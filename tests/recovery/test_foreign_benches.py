@@ -122,6 +122,7 @@ def test_a_bench_of_the_fitted_laws_has_one_truth():
     assert [round(one) for one, _ in truth.values()] == [22730, 120, 200, 6, 138000]
 
 
+@pytest.mark.slow
 def test_two_benches_are_counted(tmp_path, capsys):
     out = tmp_path / "counts.jsonl"
     foreign_counts.main(["--benches", "0:2", "--out", str(out)])

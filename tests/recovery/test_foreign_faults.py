@@ -29,6 +29,7 @@ def said(bench: Any, motions: Any, text: str, **options: Any) -> list[tuple[str,
 
 
 @pytest.mark.parametrize("ahead", [0.0, pytest.param(0.03, marks=pytest.mark.slow)])
+@pytest.mark.slow
 def test_a_laser_that_measures_to_the_road_is_named(ahead: float) -> None:
     bench = foreign_faults.with_laser(foreign_benches.drawn(3))
     (motions,) = foreign_benches.run([bench])
@@ -38,6 +39,7 @@ def test_a_laser_that_measures_to_the_road_is_named(ahead: float) -> None:
     assert times == pytest.approx(1.0, abs=0.1)
 
 
+@pytest.mark.slow
 def test_a_high_pass_that_nobody_stated_is_named() -> None:
     bench = foreign_benches.drawn(3)
     (motions,) = foreign_benches.run([bench])

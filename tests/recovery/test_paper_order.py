@@ -112,6 +112,7 @@ def test_two_masses_in_place_of_the_linkage_lose_the_body(run):
     assert represented(run("kart-low-friction", file="quick-look.toml"), 2) == (False, True)
 
 
+@pytest.mark.slow
 def test_the_shipped_bench_gives_the_opposite_order(run):
     result = run("kart-prototype")
     assert represented(result, 1) == (False, True)

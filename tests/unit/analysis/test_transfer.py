@@ -49,6 +49,7 @@ def test_estimators_are_right_where_their_noise_is() -> None:
 
 
 @pytest.mark.parametrize("estimator", ["H1", "H2", "Hv"])
+@pytest.mark.some(2)
 def test_the_stated_errors_are_those_that_occur(estimator: str) -> None:
     """Scatter over 200 records against the formulas of Bendat and Piersol, of gain and of phase."""
     gains, phases, errors = [], [], []

@@ -81,6 +81,7 @@ def test_contact_does_not_change_its_kind_over_one_obstacle(sweep):
 
 
 @pytest.mark.parametrize("pitch", [0.10, 0.15, 0.20])
+@pytest.mark.some(3)
 def test_a_train_is_critical_where_the_wheel_falls_in_step_with_it(pitch):
     train = jn.Train(of=OBSTACLE, count=5, pitch=pitch)
     sweep = speed_sweep(RIG, train, np.linspace(1.5, 4.0, 251), duration="2 s")

@@ -55,6 +55,7 @@ def check(rig: jn.Rig, test: str, parameters: tuple[str, ...], **options: object
 
 
 @pytest.mark.parametrize("test", TESTS)
+@pytest.mark.some(3)
 def test_every_test_of_a_double_wishbone_on_bushings(test: str) -> None:
     check(double_wishbone(), test, PARAMETERS, points=9)
 

@@ -87,6 +87,7 @@ def test_spring_and_tyre_slopes_lie_in_the_intervals_found(tmp_path):
         assert (high - low) / published < 0.06
 
 
+@pytest.mark.slow
 def test_intervals_of_the_spring_rate_cover_the_truth_on_most_benches():
     hits, count = 0, 60
     for seed in range(count):

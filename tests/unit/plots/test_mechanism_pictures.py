@@ -314,7 +314,7 @@ def test_show_draws_a_rig_and_a_lumped_one_is_refused() -> None:
     assert figure_of(rig_of("trailing-arm"), names=False).axes[0].texts[:] == []
     with pytest.raises(JounceError, match="there is no figure for this type"):
         figure_of(jn.load("kart-quarter-car"))
-    with pytest.raises(DescriptionError, match="no hardpoints"):
+    with pytest.raises(DescriptionError, match="only a 3-D rig of one corner can be drawn"):
         mechanism(jn.load("kart-quarter-car"))  # type: ignore[arg-type]
 
 

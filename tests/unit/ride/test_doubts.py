@@ -20,6 +20,7 @@ def rides() -> ModuleType:
 @pytest.mark.parametrize("corner", ["car", "van", "kart"])
 @pytest.mark.parametrize("road", ["good", "poor"])
 @pytest.mark.parametrize("speed", [8.0, 12.0, 25.0])
+@pytest.mark.some(4)
 def test_a_ride_is_not_doubted_and_its_wrong_records_are(
     rides: ModuleType, corner: str, road: str, speed: float
 ) -> None:

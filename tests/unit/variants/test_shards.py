@@ -147,6 +147,7 @@ def test_a_resumed_sweep_works_on_what_is_missing_or_damaged_only(
 
 @pytest.mark.parametrize("damage", ["gone", "cut", "changed"])
 @pytest.mark.parametrize("piece", ["rms sprung.az/2", "reason/2", "shards/000002.*.json"])
+@pytest.mark.some(3)
 def test_a_damaged_chunk_of_a_zarr_group_is_worked_on_again(
     tmp_path: Path, small, piece, damage
 ) -> None:
