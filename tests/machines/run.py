@@ -114,7 +114,7 @@ MACHINES = (
         for seed in range(1, 6)
     ),
     Machine("threads-4", HERE, "here", dict.fromkeys(THREADS, "4"), ("--rounded",)),
-    # Not with --quick, which compiles nothing: that sines are right at each level is a test of every run (test_elementary).
+    # Not with --quick, which compiles nothing: that sines are right at each level is a test of every run.
     *(
         Machine(
             level, HERE, "here", {"JOUNCE_PROCESSOR": level, "NPY_DISABLE_CPU_FEATURES": " ".join(SPARED)},
