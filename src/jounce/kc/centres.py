@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from jounce.axles.builder import SIDES
+from jounce.axles.wheels import down, moved, turned
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kc.builder import SIDES
 from jounce.kc.laboratory import Laboratory, axle_of, loop
-from jounce.kc.quantities import down, moved, turned
 from jounce.kc.tests import TESTS, KCTest
 from jounce.parts import Corner, Rig
 

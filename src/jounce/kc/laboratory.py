@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 
+from jounce.axles.builder import SIDES
+from jounce.axles.dependent import build_axle
 from jounce.core.datasets import dataset
 from jounce.core.errors import DescriptionError, SimulationError, show_value, unknown
 from jounce.core.findings import Finding, finding, finding_attributes
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kc.builder import SIDES
-from jounce.kc.dependent import build_axle
 from jounce.kc.quantities import Poses, quantities, table_deflections
 from jounce.kc.tests import TESTS, KCTest
 from jounce.kernel import equilibrium as eq

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from jounce.axles.dependent import build_axle
 from jounce.core.errors import unknown
 from jounce.core.types import Array
 from jounce.core.units import to_si
-from jounce.kc.dependent import build_axle
 from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
 from jounce.kc.quantities import Poses, quantities
 from jounce.kc.slopes import slope_unit
@@ -28,9 +28,10 @@ _STATED = ("wheel.radius",)  # measured with a tape, not adjusted
 
 def kc_parameters(rig: Rig) -> tuple[str, ...]:
     """Return the paths of all numbers that equilibria of an axle depend on: hardpoints, stiffnesses, preloads."""
-    read = build_axle(rig).read
+    axle = axle_of(rig, None)
+    read = build_axle(axle).read
     listed = [path for path in read if path not in _STATED]
-    assembly = build_axle(rig, listed).assembly
+    assembly = build_axle(axle, listed).assembly
     seeds, moves = assembly.seeds(), set()
     for (place, column), change in zip(seeds.places.tolist(), seeds.changes.copy(), strict=True):
         if place >= 0 and assembly.elements[place].kind == eq.BUSHING:  # curves replace stiffnesses

@@ -13,12 +13,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from jounce.axles.assembly import GROUND, STEP, Element, Numbers
+from jounce.axles.builder import SIDES
+from jounce.axles.dependent import build_axle
+from jounce.axles.wheels import caster_of, wheel_quantities
 from jounce.core.types import Array
-from jounce.kc.assembly import GROUND, STEP, Element, Numbers
-from jounce.kc.builder import SIDES
-from jounce.kc.dependent import build_axle
 from jounce.kc.laboratory import Handwheel, Held, Laboratory
-from jounce.kc.quantities import caster_of, wheel_quantities
 from jounce.kc.tests import KCTest
 from jounce.kernel import equilibrium as eq
 

@@ -7,8 +7,8 @@ import pytest
 from scipy.optimize import root
 
 import jounce as jn
+from jounce.axles.dependent import build_axle, freedom
 from jounce.core.errors import DescriptionError
-from jounce.kc.dependent import build_axle, freedom
 from jounce.parts import SolidAxle, rig_findings
 
 LINK = np.array([0.5, 0.0, 0.0])

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import jounce as jn
+from jounce.axles.corners import BuiltAxle
 from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.findings import findings_of
-from jounce.kc.axle import BuiltAxle
 from jounce.kc.laboratory import Laboratory, loop
 from jounce.kc.tests import TESTS
 from jounce.kernel import equilibrium as eq

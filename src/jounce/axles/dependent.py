@@ -1,4 +1,4 @@
-"""Dependent axles on the K&C rig: a solid axle on its links, and a twist beam as two halves on a torsion spring."""
+"""Dependent axles with their body held: a solid axle on its links, a twist beam as two halves on a torsion spring."""
 
 from __future__ import annotations
 
@@ -6,28 +6,27 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from jounce.axles.assembly import GROUND
+from jounce.axles.builder import LEFT, SIDES, AxleBuilder
+from jounce.axles.corners import BuiltAxle
 from jounce.core.errors import DescriptionError
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
-from jounce.kc.assembly import GROUND
-from jounce.kc.axle import BuiltAxle
-from jounce.kc.builder import LEFT, SIDES, AxleBuilder
 from jounce.kernel import equilibrium as eq
-from jounce.kinematics.model import check_corner
-from jounce.parts import Rig
+from jounce.parts import Corner
 from jounce.parts.axles import DependentAxle, SolidAxle, TwistBeam
 
 _FREE = 1e-9  # smallest singular value of the constraints, relative to the largest
 _MOTIONS = 2  # of an axle: both wheels together, and opposed
 
 
-def build_axle(rig: Rig, varied: Sequence[str] = ()) -> AxleBuilder:
+def build_axle(rig: Corner | DependentAxle, varied: Sequence[str] = ()) -> AxleBuilder:
     """Build the axle of a corner, a solid axle or a twist beam; see `AxleBuilder` for ``varied``."""
     if isinstance(rig, SolidAxle):
         return BuiltSolidAxle(rig, varied)
     if isinstance(rig, TwistBeam):
         return BuiltTwistBeam(rig, varied)
-    return BuiltAxle(check_corner(rig), varied)
+    return BuiltAxle(rig, varied)
 
 
 class _Dependent(AxleBuilder):

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from jounce.kc.assembly import GROUND, STEP, Assembly, Law, Numbers, across, cross, length, unit
+from jounce.axles.assembly import GROUND, STEP, Assembly, Law, Numbers, across, cross, length, unit
 from jounce.kernel import equilibrium as eq
 from jounce.parts import Corner
 from jounce.parts.axles import DependentAxle

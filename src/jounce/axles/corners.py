@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from jounce.axles.assembly import GROUND, cross, unit
+from jounce.axles.builder import LEFT, SIDES, AxleBuilder
 from jounce.core.errors import DescriptionError
 from jounce.core.phrases import Phrase
-from jounce.kc.assembly import GROUND, cross, unit
-from jounce.kc.builder import LEFT, SIDES, AxleBuilder
 from jounce.parts import Corner
 from jounce.parts.leverage import AXES
 
