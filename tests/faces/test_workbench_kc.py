@@ -81,6 +81,61 @@ def test_a_measured_sheet_is_judged_and_drawn_from_the_model_at_zero(project):
     assert both[label][zero] == pytest.approx(both["left"][zero], abs=0.02)
 
 
+def measured_toe(project, gain):
+    """Write a sheet of the rig with another bump steer."""
+    run = jn.kc_test(jn.load(RIG), "bounce")
+    travel, toe = (np.asarray(run[name]) for name in ("left.wheel_centre_z", "left.toe"))
+    rows = [
+        f"{1e3 * z:.4f}; {np.rad2deg(gain * (angle - toe[0])):.6f}"
+        for z, angle in zip(travel, toe, strict=True)
+    ]
+    (project.root / "left.csv").write_text("\n".join(["travel [mm]; toe [deg]", *rows]))
+
+
+@pytest.mark.parametrize(("gain", "verdict"), [(1.05, "within"), (1.5, "outside")])
+def test_the_tolerance_of_a_measured_curve_is_a_band_about_it(project, gain, verdict):
+    measured_toe(project, gain)
+    answer = run_tests(project, Question(RIG, {}, measured=["left.csv"]))
+    band = next(item for item in answer.equivalents["bands"] if item["quantity"] == "toe")
+    own, x = band["measured"], answer.viewer.scenes[0].x
+    low, high = (
+        np.interp(x, band["at"], np.array(band[end], dtype=float)) for end in ("low", "high")
+    )
+    toe = curves(answer)["toe"]
+    drawn = toe[next(label for label in toe if label.startswith("left, measured"))]
+    inside = (x >= band["at"][0]) & (x <= band["at"][-1])
+    assert np.allclose(0.5 * (low + high)[inside], drawn[inside], atol=1e-6, equal_nan=True)
+    assert (own["side"], own["verdict"], own["leaves"] is None) == ("left", verdict, gain < 1.1)
+    model = toe["left"]
+    out = inside & ((model > high + 1e-9) | (model < low - 1e-9))
+    assert out.any() == (verdict == "outside")
+    if out.any():
+        assert np.abs(x[out]).min() == pytest.approx(abs(own["leaves"]), abs=3.0)
+
+
+@pytest.mark.parametrize(
+    "rig", [RIG, "mcpherson-elastic", "formula-student-front", "solid-axle", "twist-beam"]
+)
+def test_the_picture_moves_as_the_test_says(project, rig):
+    question = Question(rig, {}, "roll")
+    axle = run_tests(project, question).viewer.scenes[0].motion.mechanism
+    run = jn.kc_test(jn.load(rig), "roll")
+    order = np.argsort(np.asarray(run["input"]), kind="stable")
+    for side, posed in (("left", axle), ("right", axle.other)):
+        centre = posed.poses.points["wheel_centre"]
+        moves = np.asarray(run[f"{side}.wheel_centre_z"])[order]
+        over = np.asarray(run["input"])[order]
+        expected = np.interp(posed.poses.over, over, moves)
+        design = posed.drawing.design.points["wheel_centre"]
+        assert np.allclose(centre[:, 2] - design[2], expected, atol=5e-4)  # friction opens loops
+        assert posed.poses.spin_axis[0, 1] * posed.drawing.side > 0.0
+        for part in posed.drawing.parts:  # rigid but for rubber, and the bar's twist
+            if part.name != "anti_roll_bar":
+                first, second = (posed.poses.points[name] for name in part.points[:2])
+                length = np.linalg.norm(second - first, axis=1)
+                assert np.ptp(length) < 0.004, part.name
+
+
 @pytest.mark.parametrize(
     ("more", "said"),
     [
@@ -160,3 +215,50 @@ def test_pages_of_one_wheel_lead_dependent_axles_to_the_kc_rig(page, to):
     page.get_by_role("link", name="Show its K&C").first.click()
     page.wait_for_selector("html[data-ready=kc]", timeout=60_000)
     page.wait_for_selector(".sheet tbody tr:nth-child(30)", timeout=60_000)
+
+
+@pytest.mark.pages
+def test_a_hardpoint_is_dragged_in_the_picture_of_the_axle(page, workbench):
+    go(page, f"kc?rig={RIG}.toml", "kc")
+    page.wait_for_selector(".sheet tbody tr:nth-child(30)", timeout=60_000)
+    point = page.get_by_label("Hardpoint", exact=True).first
+    point.select_option("wheel_centre")
+    before = float(page.get_by_label("z [mm]").first.input_value())
+    canvas = page.locator(".movers .mechanism canvas")
+    canvas.scroll_into_view_if_needed()
+    page.get_by_role("button", name="front", exact=True).click()
+    page.get_by_label("Input of the test").fill("0")
+    page.wait_for_timeout(300)
+    box = canvas.bounding_box()
+    moved = False
+    for share in np.linspace(0.5, 0.95, 12):  # the left wheel is on one side of the picture
+        for height in np.linspace(0.3, 0.8, 9):
+            x, y = box["x"] + share * box["width"], box["y"] + height * box["height"]
+            page.mouse.move(x, y)
+            page.mouse.down()
+            page.mouse.move(x, y - 12, steps=3)
+            page.mouse.up()
+            if page.locator(".points select").first.input_value() != "wheel_centre" or (
+                float(page.get_by_label("z [mm]").first.input_value()) != before
+            ):
+                moved = True
+                break
+        if moved:
+            break
+    assert moved
+    page.wait_for_selector(".sheet tbody .muted", timeout=60_000)
+    page.get_by_role("button", name="Undo", exact=True).click()
+
+
+@pytest.mark.pages
+def test_a_measured_curve_has_its_band_and_verdict(page, workbench):
+    measured_toe(Project(workbench[1]), 1.5)
+    page.reload()
+    go(page, f"kc?rig={RIG}.toml", "kc")
+    page.locator(".against > summary").click()
+    page.locator(".against input[value='left.csv']").check()
+    page.keyboard.press("Escape")
+    verdict = page.locator(".multiples figure.wanted .verdict.missed").first
+    verdict.wait_for(timeout=60_000)
+    assert "mm" in verdict.inner_text()
+    assert "left: leaves the tolerance at" in verdict.get_attribute("title")

@@ -48,6 +48,7 @@ export interface Part {
   points: number[];
 }
 export interface Mechanism {
+  other: Mechanism | null; // side of an axle
   side: number;
   travel: number[]; // mm, or what else the poses are counted by, times 1000; ascending
   names: string[];
@@ -128,14 +129,15 @@ export class Store {
       const flat = store.straight!(index);
       return Array.from({ length: flat.length / 3 }, (_, i) => flat.subarray(3 * i, 3 * i + 3));
     };
-    for (const mechanism of content.mechanisms) {
-      const { points, spin, contact } = mechanism as unknown as Straight;
-      Object.assign(mechanism, {
-        points: points.map(rows),
-        spin: rows(spin),
-        contact: rows(contact),
-      });
-    }
+    for (const first of content.mechanisms)
+      for (let mechanism: Mechanism | null = first; mechanism; mechanism = mechanism.other) {
+        const { points, spin, contact } = mechanism as unknown as Straight;
+        Object.assign(mechanism, {
+          points: points.map(rows),
+          spin: rows(spin),
+          contact: rows(contact),
+        });
+      }
     return store;
   }
 

@@ -34,6 +34,13 @@ const ARROWS: Record<string, [number, number]> = {
 };
 const [TURN, STEP] = [Math.PI / 36, 20]; // rad and px of one press
 const LINE = 13; // px from one name to the next
+/** A side of an axle at a moment: its points, of a body that does not roll, and its spin axis. */
+interface Posed {
+  mechanism: Mechanism;
+  points: Point[];
+  spin: Point;
+  ground: number;
+}
 type View = "space" | "front" | "side" | "top";
 /** Azimuth and elevation of the viewer of a left corner. */
 const VIEWS: Record<View, [number, number]> = {
@@ -62,7 +69,7 @@ export class MechanismView {
   private shown: Mechanism | null = null;
   private motion: Motion | null = null;
   private points: Point[] = []; // of a body that does not roll
-  private spin: Point = [0, 1, 0];
+  private posed: Posed[] = []; // first the side whose points can be dragged
   private pose = 0; // the nearest that is known
   private now: Moment = { body: 0, travel: 0, ground: 0, load: 1, time: 0 };
   private hasWheel = true;
@@ -81,8 +88,8 @@ export class MechanismView {
   /** How a dragged point moves: in the view plane, or along an axis. */
   way: "view" | "x" | "y" | "z" = "view";
 
-  /** `large`: the mechanism is what the page is about; its points are named, its parts listed and paths drawn at first. */
-  constructor(large = false) {
+  /** `large`: the mechanism is what the page is about; its points are `named`, its parts listed and paths drawn at first. */
+  constructor(large = false, named = large) {
     const views = make("div", { class: "group", role: "group", "aria-label": say("view") });
     for (const name of Object.keys(VIEWS) as View[])
       views.append(make("button", { type: "button", click: () => this.look(name) }, say(name)));
@@ -94,7 +101,7 @@ export class MechanismView {
       this.hasPaths = on;
       this.stale();
     });
-    const isNamed = large && !SMALL.matches;
+    const isNamed = named && !SMALL.matches;
     const words = toggle(say("names"), isNamed, (on) => {
       this.names.hidden = !on;
       this.stale();
@@ -154,10 +161,14 @@ export class MechanismView {
     const k = Math.min(before(grid, travel), Math.max(n - 2, 0)),
       next = Math.min(k + 1, n - 1);
     const share = next > k ? (travel - grid[k]!) / (grid[next]! - grid[k]!) : 0; // beyond the ends, straight on
-    this.points = m.points.map((poses) =>
-      add(along(point(poses[k]!), point(poses[next]!), share), [0, 0, 1], moment.body),
-    );
-    this.spin = unit(along(point(m.spin[k]!), point(m.spin[next]!), share));
+    const at = (poses: ArrayLike<number>[]) => along(point(poses[k]!), point(poses[next]!), share);
+    this.posed = [m, ...(m.other ? [m.other] : [])].map((mechanism) => ({
+      mechanism,
+      points: mechanism.points.map((poses) => add(at(poses), [0, 0, 1], moment.body)),
+      spin: unit(at(mechanism.spin)),
+      ground: mechanism === m ? moment.ground : at(mechanism.contact)[2],
+    }));
+    this.points = this.posed[0]!.points;
     this.pose = share < 0.5 ? k : next;
     const contact = m.contact[this.pose];
     if (moment.roll && contact) this.now = { ...moment, ground: this.outside(point(contact))[2] }; // the road stays level and under the wheel
@@ -323,10 +334,12 @@ export class MechanismView {
 
   look(name: View): void {
     if (!this.shown) return;
-    const { centre, radius, width } = this.shown.wheel,
-      hub = this.points[centre]!,
-      size: Point = [radius, width / 2, radius];
-    const all = [...this.points, add(hub, size), minus(hub, size)];
+    const all = this.posed.flatMap(({ mechanism, points }) => {
+      const { centre, radius, width } = mechanism.wheel,
+        hub = points[centre]!,
+        size: Point = [radius, width / 2, radius];
+      return [...points, add(hub, size), minus(hub, size)];
+    });
     const ends = [Math.min, Math.max].map(
       (end) => [0, 1, 2].map((i) => end(...all.map((point) => point[i]!))) as Point,
     ) as [Point, Point];
@@ -429,7 +442,25 @@ export class MechanismView {
   private paint(context: CanvasRenderingContext2D, m: Mechanism): void {
     const picture = new Picture(context, this.camera),
       size = m.wheel.radius / 22;
-    const places = this.points.map((place) => this.outside(place)),
+    for (const posed of this.posed) this.side(picture, posed, size);
+    this.turnsAbout(picture, m, (place) => this.risen(place), 2 * size);
+    const chosen = this.chosen === null ? -1 : m.names.indexOf(this.chosen);
+    if (chosen >= 0)
+      picture.ball(this.outside(this.points[chosen]!), 2.6 * size, colour("accent"), 0.7);
+    picture.paint();
+  }
+
+  /** A place of a body that neither moved nor rolled. */
+  private risen(place: ArrayLike<number>): Point {
+    return this.outside(add(point(place), [0, 0, 1], this.now.body));
+  }
+
+  private side(
+    picture: Picture,
+    { mechanism: m, points, spin, ground }: Posed,
+    size: number,
+  ): void {
+    const places = points.map((place) => this.outside(place)),
       at = (i: number) => places[i]!;
     for (const part of m.parts) {
       const name = tint(part.colour),
@@ -456,8 +487,8 @@ export class MechanismView {
       if (m.onBody[i]) picture.cube(place, 1.3 * size, colour("muted"));
       else picture.ball(place, 1.5 * size, colour("ink"));
     });
-    this.road(picture, m, at(m.wheel.centre));
-    if (this.hasWheel) this.wheel(picture, m, at(m.wheel.centre));
+    this.road(picture, m, at(m.wheel.centre), this.now.roll ? this.now.ground : ground);
+    if (this.hasWheel) this.wheel(picture, m, at(m.wheel.centre), spin);
     if (m.axis) {
       // of steering
       const [from, to] = m.axis.map(at) as [Point, Point];
@@ -465,15 +496,12 @@ export class MechanismView {
         dash: [6, 4],
       });
     }
-    const risen = (place: ArrayLike<number>) =>
-      this.outside(add(point(place), [0, 0, 1], this.now.body));
     if (this.hasPaths)
       for (const way of [m.points[m.wheel.centre]!, m.contact])
-        picture.line(way.map(risen), colour("accent"));
-    this.turnsAbout(picture, m, risen, 2 * size);
-    const chosen = this.chosen === null ? -1 : m.names.indexOf(this.chosen);
-    if (chosen >= 0) picture.ball(at(chosen), 2.6 * size, colour("accent"), 0.7);
-    picture.paint();
+        picture.line(
+          way.map((place) => this.risen(place)),
+          colour("accent"),
+        );
   }
 
   private turnsAbout(
@@ -495,11 +523,11 @@ export class MechanismView {
     }
   }
 
-  private wheel(picture: Picture, m: Mechanism, centre: Point): void {
+  private wheel(picture: Picture, m: Mechanism, centre: Point, spin: Point): void {
     const { radius, width } = m.wheel,
       rubber = colour("rubber"),
       { toward, scale } = this.camera;
-    const axis = add([0, 0, 0], this.rolled(this.spin), m.side),
+    const axis = add([0, 0, 0], this.rolled(spin), m.side),
       [first, second] = across(axis); // from outboard to left
     const at = (angle: number, far: number, aside: number): Point =>
       add(
@@ -535,7 +563,7 @@ export class MechanismView {
   }
 
   /** Under all else, or over it where it is seen from below. */
-  private road(picture: Picture, m: Mechanism, centre: Point): void {
+  private road(picture: Picture, m: Mechanism, centre: Point, level: number): void {
     const reach = 2.4 * m.wheel.radius,
       half = 0.8 * m.wheel.width,
       count = 121,
@@ -546,7 +574,7 @@ export class MechanismView {
         return [
           centre[0] + x,
           centre[1] + aside,
-          road ? height(road, road.speed * this.now.time + x) : this.now.ground,
+          road ? height(road, road.speed * this.now.time + x) : level,
         ];
       }),
     ) as [Point[], Point[]];
@@ -612,9 +640,14 @@ function kind({
   contact: _contact,
   travel: _travel,
   brackets,
+  other,
   ...rest
 }: Mechanism): string {
-  return JSON.stringify([rest, brackets.map(([point, first, second]) => [point, first, second])]);
+  return JSON.stringify([
+    rest,
+    brackets.map(([point, first, second]) => [point, first, second]),
+    other && kind(other),
+  ]);
 }
 
 function height(road: { x: number[]; z: number[] }, place: number): number {

@@ -31,6 +31,7 @@ class AxleBuilder(ABC):
         self.column = {path: i for i, path in enumerate(varied)}
         self.assembly = Assembly(max(1, len(varied)))
         self.bodies: dict[str, int] = {}
+        self.carried: dict[str, int] = {}  # body of each hardpoint; others stay with the car's body
         self.upright: dict[str, int] = {}
         self.steering_axis: dict[str, tuple[tuple[int, Numbers], tuple[int, Numbers]]] = {}
         self.left_out: list[str] = []
@@ -95,6 +96,11 @@ class AxleBuilder(ABC):
         """Return the name of a part of this side."""
         return f"{self.side}.{name}"
 
+    def carry(self, body: int, *points: str) -> None:
+        """Note that hardpoints of this side move with a body."""
+        for point in points:
+            self.carried.setdefault(self.called(point), body)
+
     # joints ----------------------------------------------------------------------------------------------------------
 
     def soft(
@@ -129,6 +135,7 @@ class AxleBuilder(ABC):
     def joint(self, point: str, first: int, second: int) -> None:
         """Join two bodies at a hardpoint by its bushing, or by a ball joint."""
         at, name = self.point(point), self.called(point)
+        self.carry(second, point)
         if self.is_soft(point):
             bushing = getattr(self.rig.bushings, point)
             self.soft(f"bushings.{point}", bushing, name, first, second, at)
@@ -138,6 +145,7 @@ class AxleBuilder(ABC):
     def turning(self, name: str, body: int, ends: tuple[str, str]) -> None:
         """Let an arm turn about its axis: a hinge between ideal ends, bushings and a ball joint otherwise."""
         soft = [end for end in ends if self.is_soft(end)]
+        self.carry(body, *ends)
         if soft:
             for end in ends:
                 self.joint(end, self.holder(end), body)
@@ -152,6 +160,8 @@ class AxleBuilder(ABC):
         points, label = (self.point(ends[0]), self.point(ends[1])), self.called(name)
         link = getattr(self.rig.links, name, None)
         soft = [self.is_soft(end) for end in ends]
+        for end, body in zip(ends, bodies, strict=True):
+            self.carry(body, end)
         rate = None if link is None else self.number(f"links.{name}.stiffness")
         if not any(soft) and name not in self._loaded:
             if rate is None:
@@ -243,7 +253,10 @@ class AxleBuilder(ABC):
             f"{element}_{end}" if self.has(f"{element}_{end}") else f"strut_{end}"
             for end in ("bottom", "top")
         )
-        return self.eye(lower, on), self.eye(upper, self.holder(upper))
+        eyes = self.eye(lower, on), self.eye(upper, self.holder(upper))
+        for end, body in zip((lower, upper), eyes, strict=True):
+            self.carry(body, end)
+        return eyes
 
     def _add_damper(self, at: tuple[int, int]) -> None:
         """Add what the damper does at rest, and the friction along it."""
@@ -277,6 +290,7 @@ class AxleBuilder(ABC):
             ]
         )
         body, centre = self.upright[self.side], self.point("wheel_centre")
+        self.carry(body, "wheel_centre")
         bearing = self.rig.bearing
         if bearing is not None:
             body = self._add_bearing(bearing, body, centre, axis)
@@ -317,6 +331,7 @@ class AxleBuilder(ABC):
         for side in SIDES:
             self.side = side
             half, pivot = self.own("arb"), self.point("arb_pivot")
+            self.carry(half, "arb_pivot", "arb_axis")
             axis = LEFT + 0.0 * pivot
             if self.has("arb_axis"):
                 axis = unit(self.point("arb_axis") - pivot)

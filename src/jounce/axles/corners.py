@@ -168,6 +168,7 @@ class BuiltAxle(AxleBuilder):
         if not self.has("rocker_pivot"):
             return
         rocker = self.own("rocker")
+        self.carry(rocker, "rocker_pivot", "rocker_axis")
         if self.is_soft("rocker_pivot"):
             self.joint("rocker_pivot", self.holder("rocker_pivot"), rocker)
         else:

@@ -89,6 +89,7 @@ class BuiltSolidAxle(_Dependent):
         if points.watt_pivot is not None:
             lever = self.shared("watt_lever")
             pivot = self.point("watt_pivot")
+            self.carry(axle, "watt_pivot")
             self.assembly.hinge("watt_pivot", (axle, axle), lever, (pivot, pivot + 0.1 * _AHEAD))
             for name in ("watt_upper", "watt_lower"):
                 self.rod(name, (f"{name}_body", f"{name}_axle"), (GROUND, lever))
@@ -110,6 +111,7 @@ class BuiltTwistBeam(_Dependent):
             self.side = side
             half = self.upright[side] = self.own("half")
             pivot = self.point("pivot")
+            self.carry(half, "pivot", "shear_centre")
             if self.is_soft("pivot"):
                 self.joint("pivot", GROUND, half)
             elif side == "left":

@@ -148,8 +148,10 @@ def _compare_test(
         findings.append(finding("kc.other_input", test, unit=unit, other=other))
         return []
     known = [np.isfinite(sweep) for sweep in inputs]
+    shared = [str(name) for name in theirs.data_vars if name in ours]
+    missing = [str(name) for name in theirs.data_vars if name not in ours]
     ours, theirs = (
-        data.assign_coords(input=("sample", sweep, {"units": unit})).isel(sample=good)
+        data[shared].assign_coords(input=("sample", sweep, {"units": unit})).isel(sample=good)
         for data, sweep, good in zip((ours, theirs), inputs, known, strict=True)
     )
     sweep, reached = _values(ours, "input"), _values(theirs, "input")
@@ -157,8 +159,6 @@ def _compare_test(
         max(float(sweep.min()), float(reached.min())),
         min(float(sweep.max()), float(reached.max())),
     )
-    shared = [str(name) for name in theirs.data_vars if name in ours]
-    missing = [str(name) for name in theirs.data_vars if name not in ours]
     if missing:
         findings.append(finding("kc.quantities_not_simulated", test, names=missing))
     if not high > low:
@@ -215,7 +215,7 @@ def same_inputs(ours: xr.Dataset, theirs: xr.Dataset) -> tuple[Array, Array] | N
 
 
 def _values(data: xr.Dataset, name: str) -> Array:
-    return np.asarray(data[name].values, dtype=float)
+    return np.asarray(data.variables[name].values, dtype=float)
 
 
 def _allowed(

@@ -438,6 +438,19 @@ def run_test(
     trail: float | str | None = None,
 ) -> xr.Dataset:
     """Run a test in a laboratory."""
+    return posed_test(laboratory, test, to, points, held, handwheel, trail)[0]
+
+
+def posed_test(
+    laboratory: Laboratory,
+    test: KCTest,
+    to: float | str | None = None,
+    points: int = 41,
+    held: Held = "load",
+    handwheel: Handwheel = "locked",
+    trail: float | str | None = None,
+) -> tuple[xr.Dataset, Poses]:
+    """Run a test in a laboratory; return also the poses of all bodies."""
     inputs = laboratory.inputs(test, to, points)
     behind = test.trail if trail is None else to_si(trail, "m", where="trail")
     poses, findings = laboratory.run(test, inputs, held, handwheel, behind)
@@ -456,7 +469,7 @@ def run_test(
         **finding_attributes(findings),
         "convention": "ISO 8855 axes: x forward, y left, z up; toe-in and top outward positive",
     }
-    return dataset(variables, axes, attributes)
+    return dataset(variables, axes, attributes), poses
 
 
 def _steers_opposite(

@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 
 from jounce.core.types import Array
 from jounce.plots.mechanisms.drawing import COILS, DAMPER_BODY
-from jounce.plots.mechanisms.scene import MIDDLE
 from jounce.plots.thinning import thin
 from jounce.report.chart import LINES, Panel, Series
 
@@ -64,6 +63,8 @@ class PosedRig:
     poses: Poses
     rolls: bool = True
     """Whether the rig drives over a road, with unloaded tyre radius; on a plate it has the design radius."""
+    other: PosedRig | None = None
+    """The other side of an axle, with poses over the same variable."""
 
 
 @dataclass(frozen=True)
@@ -408,11 +409,12 @@ def mechanism_data(posed: PosedRig, add: Callable[[Array], int] | None = None) -
     parts = [part for part in drawing.parts if all(name in index for name in part.points)]
     brackets = [b for b in drawing.brackets if {b.point, b.first, b.second} <= set(index)]
     return {
+        "other": None if posed.other is None else mechanism_data(posed.other, add),
         "side": drawing.side,
         "travel": _mm(poses.over[order]),
         "names": names,
         "onBody": [name in drawing.on_body for name in names],
-        "feet": [index[name] for name in MIDDLE.values() if name in index],
+        "feet": [index[name] for name in names if name in drawing.feet],
         "points": [placed(poses.points[name][order]) for name in names],
         "spin": add(poses.spin_axis[order])
         if add

@@ -38,8 +38,9 @@ if TYPE_CHECKING:
 
     from jounce.kc.measured import KcSheet
     from jounce.kc.overview import OverviewRow
+    from jounce.kc.quantities import Poses
     from jounce.parts import Rig
-    from jounce.report.live import Pane, Viewer
+    from jounce.report.live import Pane, PosedRig, Viewer
 
 Side = Literal["left", "right"]
 _PATIENCE = 0.15
@@ -99,6 +100,7 @@ class Bench:
         travel = to_si(asked.travel or 0.0, "m", where="travel")
         self._laboratory = Laboratory(axle_of(rig, asked.axle or None), travel, steer)
         self._done: dict[Any, xr.Dataset | JounceError] = {}
+        self._poses: dict[Any, Poses] = {}
         self._rows: dict[Any, list[OverviewRow]] = {}
         self._centres: xr.Dataset | None = None
         is_steered = self._laboratory.axle.steered
@@ -106,7 +108,7 @@ class Bench:
 
     def test(self, name: str, asked: Question) -> xr.Dataset | JounceError:
         """Return a test, or why it has no result."""
-        from jounce.kc.laboratory import run_test
+        from jounce.kc.laboratory import posed_test
         from jounce.kc.overview import with_derived
         from jounce.kc.tests import TESTS
 
@@ -114,13 +116,17 @@ class Bench:
         if key not in self._done:
             end = asked.to.get(name) or None
             try:
-                run = run_test(
+                run, self._poses[key] = posed_test(
                     self._laboratory, TESTS[name], end, held=asked.held, handwheel=asked.handwheel
                 )
                 self._done[key] = with_derived(run)
             except JounceError as error:
                 self._done[key] = error
         return self._done[key]
+
+    def poses(self, name: str, asked: Question) -> Poses:
+        """Return the poses of a completed test."""
+        return self._poses[self._key(name, asked)]
 
     def completed(self, asked: Question) -> dict[str, xr.Dataset]:
         """Return the tests that have results."""
@@ -190,9 +196,12 @@ def run_tests(project: Project, asked: Question) -> CurvesAnswer:
             _run_others(benches, asked)
         rows = _rows([bench.rows(asked) for bench in benches.values()]) if asked.overview else None
         compared = _compared(now, sheet, asked) if asked.overview else None
+        axle = _posed(runs["as it is"], now, name, asked)
     good = {label: run for label, run in runs.items() if not isinstance(run, JounceError)}
     first = runs[next(iter(runs))]
-    viewer = _viewer(name, good, sheet.get(name), asked) if good else None
+    own = sheet.get(name)
+    viewer = _viewer(name, good, own, asked, axle) if good else None
+    judged = _judged(name, runs["as it is"], own)
     more = {
         "digest": digest_of(rigs["as it is"]),
         "differences": differences_of(rigs),
@@ -205,6 +214,7 @@ def run_tests(project: Project, asked: Question) -> CurvesAnswer:
         "findings": []
         if isinstance(first, JounceError)
         else with_german(to_plain(findings_of(first.attrs))),
+        "bands": [] if viewer is None or judged is None else list(_bands(viewer, judged)),
         "compared": None if compared is None else _verdicts(compared),
         "measured": sorted(sheet),
         "remarks": _remarks(project, [*getattr(sheet, "findings", ()), *_findings_of(compared)]),
@@ -241,11 +251,15 @@ def _is_main(name: str) -> bool:
 
 
 def _viewer(
-    test: str, runs: Mapping[str, xr.Dataset], measured: xr.Dataset | None, asked: Question
+    test: str,
+    runs: Mapping[str, xr.Dataset],
+    measured: xr.Dataset | None,
+    asked: Question,
+    axle: PosedRig | None,
 ) -> Viewer:
     """Return the curves of a test over its input: both wheels, and both branches of loops that open."""
     from jounce.kc.compared import same_inputs
-    from jounce.report.live import Viewer, ViewerScene
+    from jounce.report.live import Motion, Viewer, ViewerScene
 
     first = next(iter(runs.values()))
     states = ["now", *(["saved"] if len(runs) > 1 else [])]
@@ -269,8 +283,31 @@ def _viewer(
         if role in used
     )
     words = first["input"].attrs["long_name"]
-    scene = ViewerScene(test, test, x * unit.factor, panes)
+    motion = None
+    if axle is not None:
+        over, ground = axle.poses.over, np.interp(x, axle.poses.over, axle.poses.ground)
+        still = np.zeros_like(x)
+        motion = Motion(axle, still, np.clip(x, over[0], over[-1]), ground, np.ones_like(x))
+    scene = ViewerScene(test, test, x * unit.factor, panes, motion=motion)
     return Viewer(test, (scene,), roles, words=str(words), unit=unit.name)
+
+
+def _posed(
+    run: xr.Dataset | JounceError, bench: Bench, name: str, asked: Question
+) -> PosedRig | None:
+    """Return both sides of the axle over the input of a test."""
+    if isinstance(run, JounceError):
+        return None
+    from jounce.plots.mechanisms.axle import sides_on_rig
+    from jounce.report.live import PosedRig
+
+    inputs = run["input"]
+    words, unit = str(inputs.attrs["long_name"]), str(inputs.attrs["units"])
+    sides = sides_on_rig(bench.poses(name, asked), np.asarray(inputs.values), words, unit)
+    posed: PosedRig | None = None
+    for scene, poses in reversed(sides):
+        posed = PosedRig(scene, poses, rolls=False, other=posed)
+    return posed
 
 
 _STATES = {"now": "", "saved": ", as saved", "measured": ", measured"}
@@ -296,7 +333,7 @@ def _panes(
             names.setdefault(rest if side in ("left", "right") else each, []).append(each)
     order = {name: k for k, name in enumerate(_FIRST)}
     for name in sorted(names, key=lambda name: (not _is_main(name), order.get(name, len(order)))):
-        data = [run[each] for run in runs.values() for each in names[name] if each in run]
+        data = [run.variables[each] for run in runs.values() for each in names[name] if each in run]
         si = str(data[0].attrs.get("units", "1"))
         ranges = [_range(np.asarray(part.values)) for part in data]
         if name not in _ALWAYS and max(ranges) < _STILL.get(si, 0.0):
@@ -308,7 +345,9 @@ def _panes(
             for state, run in runs.items()
             for each in names[name]
             if each in run
-            for curve in _curves(run[each], (state, each), sweeps[state], x, si, unit.factor)
+            for curve in _curves(
+                run.variables[each], (state, each), sweeps[state], x, si, unit.factor
+            )
         ]
         offsets = _offsets(curves, x) if "measured" in runs else {}
         moved = tuple(_shifted(curve, offsets) for curve in curves)
@@ -322,7 +361,7 @@ def _range(values: Array) -> float:
 
 
 def _curves(
-    data: xr.DataArray,
+    data: xr.Variable,
     of: tuple[str, str],
     sweep: Array,
     x: Array,
@@ -417,6 +456,63 @@ def _compared(now: Bench, sheet: Mapping[str, xr.Dataset], asked: Question) -> x
     return compare_kc(done, {name: sheet[name] for name in done}) if done else None
 
 
+def _judged(
+    name: str, run: xr.Dataset | JounceError, measured: xr.Dataset | None
+) -> xr.Dataset | None:
+    """Compare the open test with what was measured."""
+    if measured is None or isinstance(run, JounceError):
+        return None
+    from jounce.kc.compared import compare_kc
+
+    return compare_kc({name: run}, {name: measured})
+
+
+def _bands(viewer: Viewer, compared: xr.Dataset) -> Iterator[dict[str, Any]]:
+    """Yield the tolerances about measured curves in the units of their panes, with verdicts."""
+    from jounce.kc.vocabulary import quantity_name
+
+    scene = viewer.scenes[0]
+    panes = {pane.name: pane for pane in scene.panes}
+    for row in _each_row(compared):
+        name, verdict = str(row["quantity"]), str(row["verdict"])
+        pane = panes.get(quantity_name(name))
+        if pane is None or verdict == "not judged":
+            continue
+        side: Side = "right" if name.startswith("right.") else "left"
+        role = _ROLES["measured", side]
+        lines = [curve.values for curve in pane.curves if curve.role == role]
+        along = 1.0 / to_si(f"1 {viewer.unit}", str(row["input_unit"]))
+        low, high = (float(row[end]) * along for end in ("low", "high"))
+        margin = 1e-6 * (high - low)
+        at = np.flatnonzero((scene.x >= low - margin) & (scene.x <= high + margin))
+        middle = np.mean(lines, axis=0)[at]
+        up = float(row["tolerance"]) / to_si(f"1 {pane.unit}", str(row["unit"]))
+        leaves = float(row["leaves_at"]) * along
+        yield {
+            "quantity": pane.name,
+            "at": scene.x[at].tolist(),
+            "low": _numbers(middle - up),
+            "high": _numbers(middle + up),
+            "measured": {
+                "role": role,
+                "model": _ROLES["now", side],
+                "side": side if name != pane.name else "",
+                "verdict": verdict,
+                "leaves": leaves if np.isfinite(leaves) else None,
+            },
+        }
+
+
+def _each_row(compared: xr.Dataset) -> Iterator[dict[str, Any]]:
+    columns = {str(name): compared.variables[name].values for name in compared.variables}
+    for cells in zip(*columns.values(), strict=True):
+        yield dict(zip(columns, cells, strict=True))
+
+
+def _numbers(values: Array) -> list[float | None]:
+    return [float(value) if np.isfinite(value) else None for value in values]
+
+
 def _remarks(project: Project, findings: Sequence[Finding]) -> Any:
     """Return findings with the names of files relative to the project."""
     here = f"{project.root}/"
@@ -434,10 +530,8 @@ def _verdicts(compared: xr.Dataset) -> list[dict[str, Any]]:
     from jounce.kc.tests import TESTS
 
     listed = []
-    for k in range(compared.sizes["row"]):
-        row = compared.isel(row=k)
-        test, si = str(row["test"].values), str(row["unit"].values)
-        over = str(row["input_unit"].values)
+    for row in _each_row(compared):
+        test, si, over = (str(row[name]) for name in ("test", "unit", "input_unit"))
         own, at = usual_unit(si), usual_unit(over)
         slope = usual_unit(si, over, per_mm=TESTS[test].kind == "rack" or si == "N")
         number = {
@@ -450,11 +544,11 @@ def _verdicts(compared: xr.Dataset) -> list[dict[str, Any]]:
         listed.append(
             {
                 "test": test,
-                "quantity": str(row["quantity"].values),
+                "quantity": str(row["quantity"]),
                 "slope_unit": slope.name,
                 "unit": own.name,
                 "input_unit": at.name,
-                "verdict": str(row["verdict"].values),
+                "verdict": str(row["verdict"]),
                 **number,
             }
         )

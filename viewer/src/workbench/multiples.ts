@@ -8,17 +8,25 @@ import { isGerman, localised, tr } from "../words";
 import { offer, whenPinned } from "./curves";
 import { quantity } from "./quantities";
 
+/** What is wanted of a quantity, or allowed about a measured curve of one wheel (`side`; empty for the axle). */
 export interface Band {
   quantity: string;
   at: number[];
   low: (number | null)[];
   high: (number | null)[];
+  measured?: {
+    role: string; // of the measured curve
+    model: string; // and of the one that is judged
+    side: string;
+    verdict: "within" | "outside";
+    leaves: number | null;
+  };
 }
 interface One {
   name: string;
   unit: string;
   lines: { role: string; label: string; y: Numbers }[];
-  band: Band | null;
+  bands: Band[];
   canvas: HTMLCanvasElement;
   value: HTMLElement;
   mark: HTMLElement;
@@ -58,7 +66,7 @@ export class Multiples {
   private chart(): ShownChart | null {
     const panels = this.ordered()
       .filter((one) => !one.box.hidden)
-      .map(({ name, unit, lines, band }) => ({
+      .map(({ name, unit, lines, bands }) => ({
         name,
         title: quantity(name),
         unit,
@@ -68,7 +76,7 @@ export class Multiples {
             role,
             y,
           })),
-          ...(band ? this.limits(band) : []),
+          ...bands.flatMap((band) => this.limits(band)),
         ],
       }));
     if (!panels.length) return null;
@@ -76,7 +84,7 @@ export class Multiples {
   }
 
   /** The limits of a target that holds over a range, as curves. */
-  private limits({ at: places, low, high }: Band): ShownCurve[] {
+  private limits({ at: places, low, high, measured }: Band): ShownCurve[] {
     const [first, last] = [places[0] ?? 0, places[places.length - 1] ?? 0];
     const limit = (label: string, values: (number | null)[]): ShownCurve[] =>
       places.length < 2 || values.includes(null)
@@ -84,7 +92,7 @@ export class Multiples {
         : [
             {
               label,
-              role: "other-1",
+              role: measured?.role ?? "other-1",
               y: Array.from(this.x, (x) =>
                 (x as number) < first || (x as number) > last
                   ? null
@@ -92,6 +100,13 @@ export class Multiples {
               ),
             },
           ];
+    if (measured) {
+      const whose = tr(measured.side || "axle");
+      return [
+        ...limit(`${whose}, ${tr("tolerance, at least")}`, low),
+        ...limit(`${whose}, ${tr("tolerance, at most")}`, high),
+      ];
+    }
     return [...limit(tr("target, at least"), low), ...limit(tr("target, at most"), high)];
   }
 
@@ -110,8 +125,9 @@ export class Multiples {
     panes.forEach((pane, k) => {
       const plot = this.plots[k]!;
       plot.lines = pane.curves.map(({ role, label, y }) => ({ role, label, y: store.get(y) }));
-      plot.band = bands.find((band) => band.quantity === pane.name) ?? null;
-      plot.box.classList.toggle("wanted", plot.band !== null);
+      const own = bands.filter((band) => band.quantity === pane.name);
+      plot.bands = own[0]?.measured ? own : own.slice(0, 1);
+      plot.box.classList.toggle("wanted", own.length > 0);
     });
     this.order();
     if (!this.width) this.sized();
@@ -122,8 +138,8 @@ export class Multiples {
   /** Pinned curves first, then those with targets. */
   private ordered(): One[] {
     const { length } = this.plots;
-    return sorted(this.plots, ({ name, band }) =>
-      Math.min(offer.rank(name), band ? 1000 : 1001 + length),
+    return sorted(this.plots, ({ name, bands }) =>
+      Math.min(offer.rank(name), bands.length ? 1000 : 1001 + length),
     );
   }
 
@@ -192,7 +208,7 @@ export class Multiples {
       ),
       holder,
     );
-    return { name, unit, lines: [], band: null, canvas, value, mark, box, verdict };
+    return { name, unit, lines: [], bands: [], canvas, value, mark, box, verdict };
   }
 
   private sized(): void {
@@ -228,8 +244,8 @@ export class Multiples {
       }
     };
     for (const { y } of panel.lines) for (let i = 0; i < y.length; i++) take(y[i] as number | null);
-    panel.band?.low.forEach(take);
-    panel.band?.high.forEach(take);
+    for (const band of panel.bands)
+      for (const limits of [band.low, band.high]) limits.forEach(take);
     if (!(high >= low)) [low, high] = [-1, 1];
     const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high)) || 1e-9; // what is even to rounding is drawn as even
     const room = high - low > least ? 0.08 * (high - low) : 0.1 * Math.abs(high) || 1;
@@ -262,8 +278,8 @@ export class Multiples {
         HEIGHT - BOTTOM + 12,
       );
     context.fillText(this.xLabel, (LEFT + width - RIGHT) / 2, HEIGHT - 4, width - LEFT - RIGHT);
-    if (panel.band) this.band(context, panel, toX, toY, low, high);
-    else panel.verdict.textContent = "";
+    panel.verdict.textContent = "";
+    for (const band of panel.bands) this.band(context, panel, band, toX, toY, low, high);
     for (const { role, y } of drawingOrder(panel.lines)) {
       const { width: thick, dash } = lineStyle(role);
       context.strokeStyle = this.ink(role);
@@ -284,21 +300,62 @@ export class Multiples {
       context.stroke();
     }
     context.setLineDash([]);
+    this.left(context, panel, toX, toY);
+  }
+
+  /** Rings where curves leave the tolerance of a measurement, and the verdict. */
+  private left(
+    context: CanvasRenderingContext2D,
+    panel: One,
+    toX: (x: number) => number,
+    toY: (y: number) => number,
+  ): void {
+    const judged = panel.bands.flatMap(({ measured }) => measured ?? []);
+    if (!judged.length) return;
+    const out = judged.filter(({ verdict }) => verdict === "outside"),
+      places = out.flatMap(({ leaves }) => leaves ?? []);
+    for (const { model, leaves } of out) {
+      const y = panel.lines.find(({ role }) => role === model)?.y;
+      if (leaves === null || !y) continue;
+      context.strokeStyle = this.ink("bad");
+      context.lineWidth = 2;
+      context.beginPath();
+      context.arc(toX(leaves), toY(at(this.x, y, leaves)), 5, 0, 2 * Math.PI);
+      context.stroke();
+    }
+    const nearest = Math.min(...places.map(Math.abs)),
+      place = places.find((one) => Math.abs(one) === nearest),
+      unit = /\[(.*)\]$/.exec(this.xLabel)?.[1] ?? "";
+    panel.verdict.textContent = out.length
+      ? ` ✗ ${place === undefined ? "" : `${short(place)} ${unit}`}`
+      : " ✓";
+    panel.verdict.className = `verdict ${out.length ? "missed" : "good"}`;
+    panel.verdict.title = judged
+      .map(
+        ({ side, verdict, leaves }) =>
+          `${tr(side || "axle")}: ${
+            verdict === "within"
+              ? tr("within the tolerance")
+              : tr("leaves the tolerance at #", `${short(leaves ?? Number.NaN)} ${unit}`)
+          }`,
+      )
+      .join("; ");
   }
 
   /** What is wanted, within its tolerance, and whether the first curve keeps to it. */
   private band(
     context: CanvasRenderingContext2D,
     panel: One,
+    band: Band,
     toX: (x: number) => number,
     toY: (y: number) => number,
     low: number,
     high: number,
   ): void {
-    const band = panel.band!,
+    const { measured } = band,
       wide = band.at.length > 1 ? 0 : 4;
-    context.fillStyle = this.ink("span");
-    context.strokeStyle = this.ink("other-1");
+    context.fillStyle = this.ink(measured?.role ?? "span");
+    context.strokeStyle = this.ink(measured?.role ?? "other-1");
     context.beginPath();
     const path = [
       ...band.at.map((place, i) => [toX(place), toY(band.high[i] ?? high)]),
@@ -313,7 +370,10 @@ export class Multiples {
       });
       context.closePath();
     }
+    if (measured) context.globalAlpha = 0.15;
     context.fill();
+    context.globalAlpha = 1;
+    if (measured) return;
     context.stroke();
     const y = panel.lines[0]?.y,
       [first, last] = this.ends(),

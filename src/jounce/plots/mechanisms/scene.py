@@ -61,7 +61,7 @@ _WORDS = {
 BAR = ("arb_pivot", "arb_arm_end", "arb_link_end")
 MIDDLE = {"arb_pivot": "arb_middle", "third_spring_end": "third_spring_middle"}
 """Points of parts that extend to the other wheel, and their projections on the centre plane (not hardpoints)."""
-_USUAL_WIDTH = 0.6  # relative to the radius
+USUAL_WIDTH = 0.6  # relative to the radius
 
 
 @dataclass(frozen=True)
@@ -117,6 +117,8 @@ class Scene:
     undeformed_radius: float
     width: float
     design: Pose
+    feet: frozenset[str] = frozenset(MIDDLE.values())
+    """Points that parts are drawn to and that are no hardpoints."""
 
     @property
     def damper_length(self) -> float:
@@ -197,12 +199,12 @@ def scene_of(rig: Corner) -> Scene:
         parts,
         _brackets(parts, owners, names),
         frozenset(on_body | ({MIDDLE["arb_pivot"]} & design.points.keys())),
-        _ends(names, "spring") if rig.has_strut else None,
-        _ends(names, "damper") if rig.has_strut else None,
+        ends_of(names, "spring") if rig.has_strut else None,
+        ends_of(names, "damper") if rig.has_strut else None,
         _STEERING_AXES.get(model),
         rig.wheel.radius,
         rig.undeformed_radius,
-        rig.wheel.width or _USUAL_WIDTH * rig.wheel.radius,
+        rig.wheel.width or USUAL_WIDTH * rig.wheel.radius,
         design,
     )
 
@@ -268,7 +270,8 @@ def _bracket_to(
     )
 
 
-def _ends(names: Mapping[str, Any], element: str) -> tuple[str, str]:
+def ends_of(names: Mapping[str, Any], element: str) -> tuple[str, str]:
+    """Return the hardpoints at the lower and upper end of spring or damper."""
     bottom, top = (
         own if (own := f"{element}_{end}") in names else f"strut_{end}" for end in ("bottom", "top")
     )

@@ -1,18 +1,19 @@
 /** An axle on the K&C rig: overview of all tests, curves of the open one, hardpoints and stiffnesses to move. */
 
-import { Store } from "../../data";
+import { type Mechanism, Store, before as sampleBefore } from "../../data";
 import { inStyle } from "../../lines";
-import { make, whenLeft, written } from "../../page";
+import { MechanismView } from "../../mechanism";
+import { make, whenColoursChange, whenLeft, written } from "../../page";
 import { inField, tr, withComma } from "../../words";
 import * as api from "../api";
 import { Against, type Differences, Differing } from "../comparing";
 import { Drafts } from "../drafts";
-import { Multiples } from "../multiples";
+import { type Band, Multiples } from "../multiples";
 import { field, LiveSnippets, Newest, Outdated, Sliders, Steps, select, textBox } from "../parts";
 import { Points } from "../points";
 import { inWords, quantity, spoken } from "../quantities";
 import { advised, type Finding, inLanguage } from "../refusals";
-import { saveChart } from "../saving";
+import { saveChart, saveDrawing } from "../saving";
 import { address, choose, setLive, type Values, VEHICLES } from "../shell";
 import { type Cell, row, table } from "../table";
 import { Writing } from "../writing";
@@ -36,6 +37,7 @@ const TESTS: Record<string, [words: string, range: string]> = {
 };
 const words = (test: string): string => tr(TESTS[test]?.[0] ?? test);
 const FIRST = /^(bushings\.\w+\.stiffness\[[01]\]|beam\.torsional_stiffness|strut\.spring\.rate)$/;
+const MAGNIFIED = ["1", "5", "20", "100"];
 const PAUSE = 250; // ms without a change, until the overview follows
 
 interface OverviewRow {
@@ -70,6 +72,7 @@ interface Extra extends api.Answer, api.OfRig {
   findings: Finding[];
   remarks: Finding[];
   compared: Verdict[] | null;
+  bands: Band[];
   measured: string[];
   differences: Differences | null;
 }
@@ -161,6 +164,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     range.box.value = to[test.value] ?? "";
     range.box.placeholder = inField(TESTS[test.value]![1]);
     fit.box.value = within[test.value] ?? "";
+    magnified.value = magnify[test.value] ?? (TESTS[test.value]![1].includes("N") ? "20" : "1");
     void ask();
   };
   test.addEventListener("change", opened);
@@ -184,6 +188,69 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   const filter = make("input", { type: "search", placeholder: tr("camber, roll centre …") });
   filter.addEventListener("input", () => multiples.filter(filter.value));
 
+  // the axle in the test
+  const view = new MechanismView(true, false), // names of two sides would lie over each other
+    stage = make("div", { class: "player bare" }, view.element);
+  saveDrawing(view.element);
+  whenColoursChange(() => view.repaint());
+  const input = make("input", {
+      type: "range",
+      step: "any",
+      value: "0",
+      "aria-label": tr("Input of the test"),
+    }),
+    reading = make("output", {}),
+    magnified = select(MAGNIFIED, "1", (times) =>
+      times === "1" ? tr("true to scale") : `× ${times}`,
+    ),
+    driven = make("label", { class: "driven" }, make("span", {}), input, reading);
+  let drawn: Mechanism | null = null,
+    toDrawn = 1,
+    inputUnit = "";
+  const magnify: Record<string, string> = {};
+  magnified.addEventListener("change", () => {
+    magnify[test.value] = magnified.value;
+    void ask();
+  });
+  /** Moves the axle to an input of the test. */
+  const pose = (x: number) => {
+    const low = Number(input.min),
+      high = Number(input.max),
+      at = Math.min(Math.max(x, low), high);
+    input.value = String(at);
+    reading.textContent = `${written(at, 3)} ${inputUnit}`;
+    multiples.mark(at);
+    if (!drawn) return;
+    const travel = at * toDrawn,
+      { contact } = drawn;
+    view.set({
+      body: 0,
+      travel,
+      ground: contact[sampleBefore(drawn.travel, travel)]?.[2] ?? 0,
+      load: 1,
+      time: 0,
+    });
+  };
+  input.addEventListener("input", () => pose(Number(input.value)));
+  const posed = (store: Store) => {
+    const model = store.content.viewers[0],
+      scene = model?.scenes[0];
+    stage.hidden = driven.hidden = !scene?.motion;
+    if (!model || !scene?.motion) return;
+    const mechanism = store.content.mechanisms[scene.motion.mechanism]!,
+      x = store.get(scene.x),
+      ends = [x[0] as number, x[x.length - 1] as number] as const,
+      { travel } = mechanism;
+    const isNew = driven.firstElementChild!.textContent !== model.x.words;
+    driven.firstElementChild!.textContent = model.x.words;
+    toDrawn = (travel[travel.length - 1]! - travel[0]!) / (ends[1] - ends[0] || 1);
+    inputUnit = model.x.unit;
+    [input.min, input.max] = [String(ends[0]), String(ends[1])];
+    drawn = exaggerated(mechanism, Number(magnified.value));
+    view.show(drawn, scene.motion);
+    pose(isNew ? ends[1] : Number(input.value));
+  };
+
   // what is moved
   const prefix = () => (isCar ? `${axle.value}.corner.` : "");
   const sliders = new Sliders(
@@ -205,7 +272,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         path: path.slice(prefix().length),
         value: sliders.changes[path] ?? value,
       }));
-  const points = new Points(null, (changes) => {
+  const points = new Points(view, (changes) => {
     for (const [path, value] of Object.entries(changes)) sliders.set(`${prefix()}${path}`, value);
     void ask();
   });
@@ -249,7 +316,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   );
 
   // what is shown
-  const multiples = new Multiples((x) => multiples.mark(x));
+  const multiples = new Multiples((x) => pose(x));
   const rows = make("tbody", {});
   const overview = table(
     tr("Overview"),
@@ -394,13 +461,14 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     rack.element.hidden = handwheel.closest("label")!.hidden = !extra.is_steered;
     multiples.element.hidden = !model;
     if (model) {
-      multiples.show(model, store, []);
+      multiples.show(model, store, extra.bands);
       legend.replaceChildren(
         ...model.roles.map(({ role, label }) =>
           make("li", {}, make("i", { class: `swatch ${role}` }), inStyle(label, role)),
         ),
       );
     }
+    posed(store);
     problems.replaceChildren(
       ...Object.entries(extra.failed).map(([failed, { text, german }]) =>
         make("p", { class: "problem" }, `${words(failed)}: ${inLanguage(text, german)}`),
@@ -449,6 +517,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       make(
         "div",
         { class: "stuck movers" },
+        stage,
+        driven,
+        field(tr("Movements are drawn"), magnified),
         make("h2", {}, tr("Hardpoints")),
         points.element,
         make("h2", {}, tr("Parameters")),
@@ -490,4 +561,25 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   if (before) writes.say(before.said);
   range.box.placeholder = inField(TESTS[test.value]![1]);
   await ask();
+}
+
+/** An axle whose movements in a test are drawn larger than they are. */
+function exaggerated(mechanism: Mechanism, times: number): Mechanism {
+  if (times === 1) return mechanism;
+  const { travel, points, contact, spin, other } = mechanism,
+    start = sampleBefore(travel, 0);
+  const larger = (poses: ArrayLike<number>[]) =>
+    poses.map((place) =>
+      Array.from(place, (value, k) => {
+        const from = poses[start]![k]!;
+        return from + times * (value - from);
+      }),
+    );
+  return {
+    ...mechanism,
+    points: points.map(larger),
+    contact: larger(contact),
+    spin: larger(spin),
+    other: other && exaggerated(other, times),
+  };
 }

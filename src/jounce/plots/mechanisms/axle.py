@@ -1,0 +1,70 @@
+"""An axle on the K&C rig: scenes of both sides, and their poses over the input of a test."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from jounce.core.types import Array
+from jounce.kc.assembly import GROUND
+from jounce.kc.builder import SIDES
+from jounce.kc.quantities import Poses as Samples
+from jounce.kc.quantities import down, moved, turned
+from jounce.parts import Corner
+from jounce.parts.axles import DependentAxle
+from jounce.plots.mechanisms.dependent import dependent_scene
+from jounce.plots.mechanisms.scene import MIDDLE, Poses, Scene, scene_of, with_middle
+
+Side = tuple[Scene, Poses]
+
+
+def sides_on_rig(samples: Samples, inputs: Array, words: str, unit: str) -> list[Side]:
+    """Return the scene and the poses of the described side, then of the other one.
+
+    The poses are those of one way through the range, ascending in the ``inputs`` (SI) of the ``samples``; what no body
+    of the axle carries stays in place.
+    """
+    way = _one_way(inputs, samples)
+    rig = samples.axle.rig
+    return [
+        (scene, _poses(scene, side, samples, way, inputs[way], (words, unit)))
+        for side in sorted(SIDES, key=lambda side: side != rig.side)
+        for scene in [_scene(rig, side)]
+    ]
+
+
+def _scene(rig: Corner | DependentAxle, side: str) -> Scene:
+    if isinstance(rig, DependentAxle):
+        return dependent_scene(rig, side)
+    return scene_of(rig if rig.side == side else rig.mirrored())
+
+
+def _one_way(inputs: Array, samples: Samples) -> Array:
+    """Return the samples between both ends of the range, ascending, that have a pose."""
+    known = np.flatnonzero(np.isfinite(samples.settled.poses).all(axis=1))
+    ends = known[np.argmin(inputs[known])], known[np.argmax(inputs[known])]
+    between = known[(known >= min(ends)) & (known <= max(ends))]
+    return np.asarray(between[np.argsort(inputs[between], kind="stable")])
+
+
+def _poses(
+    scene: Scene, side: str, samples: Samples, way: Array, over: Array, named: tuple[str, str]
+) -> Poses:
+    places, axle = samples.places()[way], samples.axle
+    upright = axle.carried[f"{side}.wheel_centre"]
+    tracks = {}
+    for name, design in scene.design.points.items():
+        if name in MIDDLE.values():
+            continue
+        body = axle.carried.get(f"{side}.{name}", upright if name in scene.feet else GROUND)
+        at = np.asarray(design, dtype=float)
+        tracks[name] = (
+            np.broadcast_to(at, (len(way), 3)) if body == GROUND else moved(places[:, body], at)
+        )
+    wheel = axle.assembly.wheels[SIDES.index(side)]
+    axis = turned(places[:, wheel.body], np.real(wheel.axis[:, 0]))
+    contact = tracks["wheel_centre"] + float(np.real(wheel.radius).flat[0]) * down(axis)
+    words, unit = named
+    return Poses(
+        with_middle(tracks), axis, contact, contact[:, 2], np.ones(len(way), dtype=bool), over,
+        words, unit, in_time=False,
+    )  # fmt: skip
