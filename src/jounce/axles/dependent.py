@@ -29,6 +29,20 @@ def build_axle(rig: Corner | DependentAxle, varied: Sequence[str] = ()) -> AxleB
     return BuiltAxle(rig, varied)
 
 
+def with_ideal_joints(rig: DependentAxle) -> DependentAxle | None:
+    """Return an axle with ball joints for bushings and rigid links; None if its links then bind or do not guide it."""
+    ideal: dict[str, object] = {"bearing": None}
+    ideal |= {name: type(getattr(rig, name))() for name in ("bushings", "links")}
+    rigid = rig.model_copy(update=ideal)
+    if rigid == rig:
+        return rig
+    try:
+        build_axle(rigid)
+    except DescriptionError:
+        return None
+    return rigid
+
+
 class _Dependent(AxleBuilder):
     rig: DependentAxle
 

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from jounce.axles.builder import SIDES
+from jounce.axles.dependent import with_ideal_joints
 from jounce.axles.wheels import down, moved, turned
 from jounce.core.errors import SimulationError
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kc.laboratory import Laboratory, axle_of, loop
 from jounce.kc.tests import TESTS, KCTest
-from jounce.parts import Corner, Rig
+from jounce.parts import DependentAxle, Rig
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -47,7 +48,7 @@ def kc_centres(
     Parameters
     ----------
     axle : Rig
-        A corner with hardpoints, or a 3-D car.
+        A corner with hardpoints, a dependent axle, or a 3-D car.
     travel : float or str
         Height of both pads above the design position, m.
     steer : float or str, optional
@@ -60,8 +61,9 @@ def kc_centres(
     xarray.Dataset
         On ``source`` (``"forces"``: the axle as described, ``"kinematics"``: its joints ideal):
         ``roll_centre_height`` (m, above the road), and for ``braking``, ``braking-inboard``, ``driving`` and
-        ``driving-hub`` the support angle (rad): positive if the links lift the body, as anti-dive and anti-squat do;
-        anti-lift is negative. Forces are those up to half of the usual range. NaN where there is no equilibrium.
+        ``driving-hub`` the support angle (rad): positive if the links lift the body, as anti-dive and anti-
+        squat do; anti-lift is negative. Ideal joints are NaN if the links then bind. Forces are those up to
+        half of the usual range. NaN where there is no equilibrium.
 
     Raises
     ------
@@ -102,8 +104,12 @@ def centres_of(laboratory: Laboratory) -> xr.Dataset:
 def _centres_of_ideal(laboratory: Laboratory) -> dict[str, float]:
     """Return those of the same axle with ideal joints in the same state; nothing if its joints are ideal already."""
     rig = laboratory.rig
-    if not isinstance(rig, Corner):
-        return dict.fromkeys(("roll_centre_height", *SUPPORTS), np.nan)
+    travel = float((laboratory.state.heights - laboratory.design).mean())
+    if isinstance(rig, DependentAxle):
+        ideal = with_ideal_joints(rig)
+        if ideal is None:
+            return dict.fromkeys(("roll_centre_height", *SUPPORTS), np.nan)
+        return {} if ideal is rig else _centres(Laboratory(ideal, travel))
     if not rig.elastic_parts:
         return {}
     rigid: dict[str, object] = {"subframe": None, "bearing": None}
@@ -111,7 +117,6 @@ def _centres_of_ideal(laboratory: Laboratory) -> dict[str, float]:
     steering = getattr(rig, "steering", None)
     if steering is not None:
         rigid["steering"] = steering.model_copy(update={"column_stiffness": None, "housing": ()})
-    travel = float((laboratory.state.heights - laboratory.design).mean())
     rack = laboratory.state.rack if laboratory.axle.steered else None
     return _centres(Laboratory(rig.model_copy(update=rigid), travel, rack))
 

@@ -1,6 +1,6 @@
 """Kinematics of a corner and of an axle: poses along travel and rack, and every quantity that follows from them."""
 
-from jounce.kinematics.axle import sweep_roll, sweep_steering
+from jounce.kinematics.axle import sweep_steering
 from jounce.kinematics.both_wheels import sweep_axle
 from jounce.kinematics.catalogue import CATALOGUE, Quantity
 from jounce.kinematics.clearances import Rim, Solid, clearances, link_lengths
@@ -14,7 +14,8 @@ from jounce.kinematics.load_cases import (
     load_cases,
 )
 from jounce.kinematics.loads import ContactLoad, pickup_loads
-from jounce.kinematics.sweeps import AxleLayout, sweep_path, sweep_rack, sweep_travel, write_sweep
+from jounce.kinematics.sweeps import AxleLayout, sweep_path, sweep_rack, write_sweep
+from jounce.kinematics.travel_and_roll import sweep_roll, sweep_travel
 from jounce.kinematics.variants import sweep_variants
 
 __all__ = [

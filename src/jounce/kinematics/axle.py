@@ -5,6 +5,7 @@ The right wheel is the mirror image of the left: its pose is that of the left wh
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -363,53 +364,15 @@ class TwoWheelAxle:
 # roll -----------------------------------------------------------------------------------------------------------------
 
 
-def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:
-    """Sweep the roll angle of the body on an axle, a corner and its mirror image, on a plane road.
-
-    The wheels travel by the same amount in opposite directions, so that both contact points stay on the road. Tyre
-    deflections are neglected.
-
-    Parameters
-    ----------
-    rig : Rig
-        A corner with hardpoints; the other side is its mirror image.
-    roll : float, str or array_like, shape (n,)
-        Roll angle of the body, rad, positive about +x (left side up), monotonic; or text, ``"-4 deg:4 deg:1 deg"``.
-    rack : float or str
-        Travel of the rack, m, positive to the left.
-
-    Returns
-    -------
-    xarray.Dataset
-        On ``roll_angle`` (rad): ``left.<quantity>`` and ``right.<quantity>`` of the catalogue (against the body), with
-        ``camber_to_ground`` (rad), ``roll_steer`` and ``roll_camber`` (rad/rad); ``track`` (m), ``roll_centre_height``
-        and ``roll_centre_y`` (m, above the road and left of the middle between the contact points), ``roll_moment``
-        (N m, of springs and anti-roll bar, against the roll) and ``roll_stiffness`` (N m/rad). Attributes as in
-        :func:`sweep_travel`.
-
-    Raises
-    ------
-    DescriptionError
-        If a rig has no hardpoints, or angles are not monotonic or exceed 1.2 rad.
-    SimulationError
-        If no pose can be reached.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> import jounce as jn
-    >>> rolled = jn.sweep_roll(jn.load("reference-double-wishbone"), np.radians([-2.0, 0.0, 2.0]))
-    >>> bool(rolled["left.wheel_travel"][2] < 0.0 < rolled["right.wheel_travel"][2])
-    True
-    """
-    corner, angles = check_corner(rig), sweep_values(roll, "roll", "rad")
-    check_roll(angles, "roll")
-    axle, at = TwoWheelAxle(corner), to_si(rack, "m", where="rack travel")
-    variables = roll_axle(axle, angles, at)
+def roll_of_corner(rig: Rig, angles: Array, rack: float) -> xr.Dataset:
+    """Roll an axle of a corner and its mirror image (rad) at one rack travel (m); see ``sweep_roll``."""
+    corner = check_corner(rig)
+    axle = TwoWheelAxle(corner)
+    variables = roll_axle(axle, angles, rack)
     reached = np.isfinite(variables.values["track"])
     if not reached.any():
         raise no_pose(axle.ends)
-    return variables.dataset(reached, axle, corner)
+    return variables.dataset(reached, axle.ends, corner)
 
 
 def roll_axle(axle: TwoWheelAxle, angles: Array, rack: float) -> AxleVariables:
@@ -431,7 +394,7 @@ def check_roll(angles: Array, name: str) -> None:
 
 def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> AxleVariables:
     """Return rows of a rolled axle; ``bend`` is the second derivative of the right wheel's travel by roll, m/rad^2."""
-    gain = _gain(left, right)
+    gain = travel_by_roll(left, right)
     sign = "positive: about +x, left side up"
     variables = AxleVariables("roll_angle", left.roll, "rad", "roll angle of the body", sign)
     outward = "positive: top outward"
@@ -463,7 +426,7 @@ def roll_rows(axle: TwoWheelAxle, left: Ground, right: Ground, bend: Array) -> A
     return variables
 
 
-def _gain(left: Ground, right: Ground) -> Array:
+def travel_by_roll(left: Ground, right: Ground) -> Array:
     """Derivative of the right wheel's travel by roll, m/rad."""
     return (left.height_by_roll - right.height_by_roll) / (
         left.height_by_travel + right.height_by_travel
@@ -472,7 +435,7 @@ def _gain(left: Ground, right: Ground) -> Array:
 
 def _bend(axle: TwoWheelAxle, roll: Array, rack: float) -> Array:
     """Second derivative of the right wheel's travel by roll, m/rad^2."""
-    ahead, behind = (_gain(*axle.level(roll + step, rack)) for step in (_BEND, -_BEND))
+    ahead, behind = (travel_by_roll(*axle.level(roll + step, rack)) for step in (_BEND, -_BEND))
     return (ahead - behind) / (2.0 * _BEND)
 
 
@@ -517,7 +480,7 @@ def _add_roll_moments(
     forces = "wheel_force" in left.rows and "wheel_force" in right.rows
     if not forces or (reaches_over(axle.rig) and left.ends is None):  # forces are unknown
         return
-    gain = _gain(*wheels)
+    gain = travel_by_roll(*wheels)
     force = right.rows["wheel_force"] - left.rows["wheel_force"]
     stiffness = right.rows["wheel_rate"] + left.rows["wheel_rate"]
     connection = axle.connection(left, right)
@@ -545,7 +508,7 @@ def _add_roll_stiffness(
     left, right = (ground.wheel for ground in wheels)
     if "roll_stiffness_springs" not in variables.values:
         return
-    gain, description = _gain(*wheels), axle.rig.anti_roll_bar
+    gain, description = travel_by_roll(*wheels), axle.rig.anti_roll_bar
     springs, bar = variables.values["roll_stiffness_springs"], np.zeros_like(roll)
     if description is not None and description.kind == "u" and axle.rig.third_spring is None:
         angle, ratio, change = (
@@ -580,7 +543,7 @@ def _connected_moment(axle: TwoWheelAxle, roll: Array, rack: float) -> Array:
     """Moment of the connections against the roll, N m."""
     grounds = axle.level(roll, rack)
     connection = axle.connection(*(ground.wheel for ground in grounds))
-    return np.asarray((connection.forces[1] - connection.forces[0]) * _gain(*grounds))
+    return np.asarray((connection.forces[1] - connection.forces[0]) * travel_by_roll(*grounds))
 
 
 def _across(point: Array, roll: Array) -> Array:
@@ -604,7 +567,7 @@ class AxleVariables(SweepVariables):
                 f"{name}.{row.name}", rows[row.name], row.unit, f"{name}: {row.long_name}", row.sign
             )
 
-    def dataset(self, reached: NDArray[np.bool_], axle: TwoWheelAxle, corner: Corner) -> xr.Dataset:
+    def dataset(self, reached: NDArray[np.bool_], ends: Sequence[End], rig: Rig) -> xr.Dataset:
         """Dataset of the poses that both wheels reach."""
         import xarray as xr
 
@@ -612,7 +575,7 @@ class AxleVariables(SweepVariables):
             name: xr.Variable((self.along,), value[reached], self.attributes[name], fastpath=True)
             for name, value in self.values.items()
         }
-        facts = facts_of(corner, "both", self.at[reached], axle.ends if not reached.all() else [])
+        facts = facts_of(rig, "both", self.at[reached], ends if not reached.all() else [])
         along = xr.Variable((self.along,), self.at[reached], self.coordinate)
         return dataset(variables, xr.Dataset(coords={self.along: along}), facts)
 
@@ -670,7 +633,7 @@ def sweep_steering(
     reached = np.isfinite(left.rows["steer"] + right.rows["steer"])
     if not reached.any():
         raise no_pose(axle.ends)
-    return steering_rows(axle, left, right, racks, vehicle).dataset(reached, axle, corner)
+    return steering_rows(axle, left, right, racks, vehicle).dataset(reached, axle.ends, corner)
 
 
 def steering_rows(

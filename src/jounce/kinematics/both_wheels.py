@@ -20,9 +20,10 @@ from jounce.kinematics.axle import (
     handwheel_rows,
 )
 from jounce.kinematics.column import rack_travel, steering_of
+from jounce.kinematics.dependent import no_rack, poses_of_axle
 from jounce.kinematics.model import check_corner, check_rack
 from jounce.kinematics.sweeps import AxleLayout, Values, no_pose, path_values
-from jounce.parts import Corner, Rig
+from jounce.parts import Corner, DependentAxle, Rig
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -55,7 +56,7 @@ def sweep_axle(
     Parameters
     ----------
     rig : Rig
-        The left corner; a right one is mirrored.
+        The left corner, a right one being mirrored; or a solid axle or a twist beam, which has both wheels.
     right : Rig, optional
         The right corner, unless it is the mirror image of the left one.
     left_travel, right_travel : float, str or array_like, shape (n,), optional
@@ -98,7 +99,6 @@ def sweep_axle(
     >>> [round(1e3 * float(travel), 1) for travel in poses["left.wheel_travel"]]   # mm
     [10.0, -0.6]
     """
-    corner, other = _pair(rig, right)
     given = {
         "left travel": (left_travel, "m"),
         "right travel": (right_travel, "m"),
@@ -137,6 +137,15 @@ def sweep_axle(
         )
     count = max(counts, default=1)
     at = {name: np.broadcast_to(read.get(name, np.zeros(1)), (count,)).copy() for name in given}
+    if isinstance(rig, DependentAxle):
+        steered = bool(np.any(at["rack travel"])) or handwheel is not None
+        no_rack(rig, steered, "handwheel" if handwheel is not None else "rack")
+        if right is not None:
+            raise DescriptionError(
+                "a dependent axle has both wheels", where="right", hint="Leave it out."
+            )
+        return poses_of_axle(rig, at, vehicle, placed=bool(placed))
+    corner, other = _pair(rig, right)
     if handwheel is not None:
         at["rack travel"] = rack_travel(steering_of(corner), at["handwheel"])[0]
     if np.any(at["rack travel"] != 0.0):
@@ -285,7 +294,7 @@ def _dataset(
     add_steering(variables, left.wheel, right.wheel, vehicle, axle)
     handwheel_rows(variables, axle, at["rack travel"], left.wheel, right.wheel)
     _add_forces(variables, axle, left.wheel, right.wheel)
-    return variables.dataset(np.ones(count, dtype=bool), axle, axle.rig)
+    return variables.dataset(np.ones(count, dtype=bool), axle.ends, axle.rig)
 
 
 def _add_forces(

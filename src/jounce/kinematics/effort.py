@@ -93,7 +93,7 @@ def steering_effort(
         handwheel_rows(
             variables, axle, racks, *(axle.wheel(sign, height, racks) for sign in (1.0, -1.0))
         )
-    return variables.dataset(np.isfinite(total), axle, corner)
+    return variables.dataset(np.isfinite(total), axle.ends, corner)
 
 
 def _rack_force(

@@ -129,7 +129,7 @@ def check_corner(rig: Rig) -> Corner:
             where="rig",
             found=Phrase('model = "{model}"', model=getattr(rig, "model", "")),
             allowed="a rig with hardpoints: double-wishbone, mcpherson, five-link, trailing-arm",
-            hint="Sweep it on the K&C rig: jn.kc_test, or `jounce kc`.",
+            hint="Sweep it by jn.sweep_travel, sweep_roll or sweep_axle, or test it by jn.kc_test.",
         )
     is_car = isinstance(rig, FullCar3D)
     raise DescriptionError(

@@ -249,13 +249,13 @@ class AxleLayout(Description):
         return names if self.driven > 0.0 else names[:1]
 
 
-_ANTI_EFFECTS = {
+ANTI_EFFECTS = {
     ("front", "anti_dive"): "share of the braking dive that the front geometry takes",
     ("front", "anti_lift"): "share of the driving lift that the front geometry takes",
     ("rear", "anti_lift"): "share of the braking lift that the rear geometry takes",
     ("rear", "anti_squat"): "share of the driving squat that the rear geometry takes",
 }
-_ANTI_SIGN = "positive: against the body's motion; 1 is all of it"
+ANTI_SIGN = "positive: against the body's motion; 1 is all of it"
 _PER_G = {"front": ("dive_per_g", "lift_per_g"), "rear": ("lift_per_g", "squat_per_g")}
 _MOVES = {"dive": "sinking", "squat": "sinking", "lift": "rising"}
 
@@ -531,7 +531,7 @@ def _rack_of(corner: Corner, rack: Values | None) -> Values:
     return rack
 
 
-def sweep_travel(
+def travel_of_corner(
     rig: Rig,
     bump: Values,
     rack: Values | None = None,
@@ -539,51 +539,7 @@ def sweep_travel(
     vehicle: AxleLayout | None = None,
     points: bool = False,
 ) -> xr.Dataset:
-    """Sweep a corner over wheel travel; return all kinematic quantities of the catalogue at each pose.
-
-    Poses are exact to rounding; derivatives are computed from the loop equations, not from differences. Masses, gravity
-    and tyres have no effect: travel is that of the wheel centre relative to the body, from the hardpoints as given.
-
-    Parameters
-    ----------
-    rig : Rig
-        A corner with hardpoints.
-    bump : float, str or array_like, shape (n,)
-        Vertical travel of the wheel centre from design, m, bump positive, monotonic; or text, ``"-80 mm:80 mm:4 mm"``.
-    rack : float, str or array_like, shape (m,), optional
-        Travel of the rack, m, positive to the left, or text; the description's own (or 0) by default. Several values
-        give every pair of travel and rack.
-    vehicle : AxleLayout, optional
-        Adds ``anti_dive`` (front; of a driven one also ``anti_lift``), or ``anti_lift`` and ``anti_squat`` (rear) [1];
-        with its mass also ``dive_per_g``, ``lift_per_g``, ``squat_per_g`` (m).
-    points : bool
-        Whether to add the position of every hardpoint and of the contact point as ``<name>.x``, ``.y``, ``.z`` (m,
-        ground axes).
-
-    Returns
-    -------
-    xarray.Dataset
-        One variable for each quantity on ``wheel_travel`` (m), and ``rack_travel`` (m) if several were given; each with
-        ``units``, ``long_name``, ``sign`` and ``clause``. ``attrs["status"]`` is "completed", or "end_of_travel" if the
-        mechanism could not move further: poses beyond are omitted (NaN for a pair out of reach), and
-        ``attrs["stopped"]`` describes where and why. ``attrs["findings"]`` reports toggles: parts or spring that move
-        three times as fast as at the start of the sweep.
-
-    Raises
-    ------
-    DescriptionError
-        If a rig has no hardpoints or no rack to move, or values are not monotonic.
-    SimulationError
-        If no pose can be reached.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> import jounce as jn
-    >>> sweep = jn.sweep_travel(jn.load("reference-double-wishbone"), np.linspace(-0.08, 0.08, 41))
-    >>> round(float(np.degrees(sweep["camber"].sel(wheel_travel=0.04, method="nearest"))), 4)
-    -2.3572
-    """
+    """Sweep a corner over wheel travel; see ``sweep_travel``."""
     return _swept(
         prepare_sweep(rig, bump, rack),
         rack is not None and (np.ndim(rack) > 0 or (isinstance(rack, str) and ":" in rack)),
@@ -778,7 +734,7 @@ def _add_further(
         )
         taken = shares(vehicle, *slopes)
         for name, share in taken.items():
-            variables.add(name, share, "1", _ANTI_EFFECTS[vehicle.axle, name], _ANTI_SIGN)
+            variables.add(name, share, "1", ANTI_EFFECTS[vehicle.axle, name], ANTI_SIGN)
         for (name, move), when in zip(
             moves_per_g(vehicle, variables.values, taken).items(),
             ("braking", "driving"),
@@ -867,8 +823,8 @@ class SweepVariables:
             self.attributes[name]["clause"] = clause
 
 
-def facts_of(rig: Corner, side: str, swept: Array, ends: Sequence[End]) -> dict[str, Any]:
-    """Return the attributes of a sweep: its corner, its range, and where it stopped."""
+def facts_of(rig: Rig, side: str, swept: Array, ends: Sequence[End]) -> dict[str, Any]:
+    """Return the attributes of a sweep: its rig, its range, and where it stopped."""
     return {
         "model": str(getattr(rig, "model", "")),
         "side": side,

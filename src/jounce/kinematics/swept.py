@@ -14,7 +14,7 @@ from jounce.core.errors import DescriptionError
 from jounce.core.operation import Described, File, Mark, Switch, operation
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
-from jounce.kinematics.axle import sweep_roll, sweep_steering
+from jounce.kinematics.axle import sweep_steering
 from jounce.kinematics.both_wheels import sweep_axle
 from jounce.kinematics.options import RACK, TRAVEL
 from jounce.kinematics.sweeps import (
@@ -22,9 +22,9 @@ from jounce.kinematics.sweeps import (
     Values,
     sweep_path,
     sweep_rack,
-    sweep_travel,
     sweep_values,
 )
+from jounce.kinematics.travel_and_roll import sweep_roll, sweep_travel
 from jounce.parts import Rig, as_rig
 from jounce.parts.options import AnyRig
 

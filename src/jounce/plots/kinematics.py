@@ -60,7 +60,20 @@ _FURTHER_SPRINGS = (
     "axle_force",
 )
 SHEETS: dict[str, tuple[str, ...]] = {
-    "wheel": ("camber", "toe", "camber_to_ground", "inclination", "steer", "half_track_change"),
+    "wheel": (
+        "camber",
+        "toe",
+        "camber_to_ground",
+        "inclination",
+        "steer",
+        "half_track_change",
+        "track",
+        "axle_steer",
+        "axle_roll",
+        "lateral_shift",
+        "longitudinal_shift",
+        "wheelbase_change",
+    ),
     "gradients": (
         "camber_gain",
         "bump_steer",
@@ -86,6 +99,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
     "centres": (
         "roll_centre_height",
         "roll_centre_y",
+        "roll_axis_inclination",
         "jacking",
         "instant_centre_y",
         "instant_centre_z",
@@ -108,6 +122,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
     "springs": (
         "spring_length",
         "motion_ratio",
+        "motion_ratio_roll",
         "motion_ratio_gradient",
         "damper_motion_ratio",
         "spring_force",
@@ -115,6 +130,7 @@ SHEETS: dict[str, tuple[str, ...]] = {
         "damper_force",
         "wheel_force",
         "wheel_rate",
+        "wheel_rate_roll",
         "wheel_rate_spring",
         "wheel_damping_coefficient",
         "ride_rate",

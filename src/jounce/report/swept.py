@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from jounce.core.display import display_unit
-from jounce.parts import Corner
+from jounce.kc.tests import TESTS
+from jounce.parts import Corner, DependentAxle
 from jounce.plots.display import kinematic_value, number
+from jounce.report.chart import Chart
+from jounce.report.kc_drawing import axle_drawing
 from jounce.report.page import Block, Page, PageTable, Paragraph, Picture, Section
 
 if TYPE_CHECKING:
@@ -29,7 +32,10 @@ _CURVES = (
     "scrub_radius",
     "caster_trail",
     "half_track_change",
+    "lateral_shift",
+    "axle_steer",
     "roll_centre_height",
+    "roll_steer",
     "ackermann_percentage",
     "motion_ratio",
     "wheel_rate",
@@ -51,14 +57,19 @@ def swept_page(sweep: Swept, *, title: str) -> Page:
         return page.sections[number].blocks
 
     drawn = [Section("Extremes", partial(blocks, 0)), Section("Curves", partial(blocks, 1))]
-    if isinstance(sweep.rig, Corner):
+    if isinstance(sweep.rig, Corner | DependentAxle):
         drawn.append(Section("Mechanism", partial(_mechanism, sweep.rig, title)))
     return Page(title, (*drawn, Section("Poses", poses_table(sweep))), "Kinematic sweep")
 
 
-def _mechanism(rig: Corner, title: str) -> tuple[Block, ...]:
+def _mechanism(rig: Corner | DependentAxle, title: str) -> tuple[Block, ...]:
     """Return the drawing and the table of hardpoints."""
-    return mechanism_picture(rig, title), hardpoints_table(rig)
+    if isinstance(rig, Corner):
+        return mechanism_picture(rig, title), hardpoints_table(rig)
+    drawing = axle_drawing(rig, TESTS["bounce"])
+    words = f"{title}: both wheels and what joins them at design; arrows: bump."
+    charts = () if drawing is None else (Chart((drawing,), "mechanism", words, words),)
+    return *charts, hardpoints_table(rig)
 
 
 def mechanism_picture(rig: Corner, title: str) -> Picture:
@@ -73,7 +84,7 @@ def mechanism_picture(rig: Corner, title: str) -> Picture:
     return Picture(draw, "mechanism", words, words)
 
 
-def hardpoints_table(rig: Corner) -> PageTable:
+def hardpoints_table(rig: Corner | DependentAxle) -> PageTable:
     """Return the coordinates of all hardpoints at design, in the usual unit of lengths."""
     unit = display_unit("m")
     rows = tuple(
