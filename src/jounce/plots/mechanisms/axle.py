@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from jounce.axles.assembly import GROUND
+from jounce.axles.builder import SIDES
+from jounce.axles.wheels import down, moved, turned
 from jounce.core.types import Array
-from jounce.kc.assembly import GROUND
-from jounce.kc.builder import SIDES
 from jounce.kc.quantities import Poses as Samples
-from jounce.kc.quantities import down, moved, turned
 from jounce.parts import Corner
 from jounce.parts.axles import DependentAxle
 from jounce.plots.mechanisms.dependent import dependent_scene
