@@ -244,7 +244,8 @@ class Oracle:
 
     For each wheel: ``<wheel>.held`` (1: the height of its contact point is held, 0: its load), ``<wheel>.height``
     (m, of the contact point), ``<wheel>.load`` (N, up), and loads ``patch_x``, ``patch_y``, ``centre_x``,
-    ``centre_y`` (N), ``moment_x``, ``moment_y``, ``moment_z`` (N m), ``trail`` (m along -x behind the contact point).
+    ``centre_y`` (N), ``moment_x``, ``moment_y``, ``moment_z`` (N m), ``trail`` (m behind the contact point,
+    against the wheel's heading).
     With ``roll`` 1 the difference of two contact points' heights is ``roll.difference`` (m), the sum of loads
     ``roll.load`` (N). Directions with friction have ``<name>.slipped``, which `solve` continues from its start.
     For the rack: ``rack.held``, ``rack.travel`` (m), ``rack.force`` (N).
@@ -493,7 +494,10 @@ class Oracle:
         centre = body.place(wheel.centre)
         patch = centre + wheel.radius * down
         load = {each: self.input(f"{name}.{each}") for each in (*_LOADS, "trail")}
-        behind = patch - ca.vertcat(load["trail"], 0.0, 0.0)
+        rear = ca.cross(axis, ca.DM([0.0, 0.0, 1.0])) * (
+            -1.0 if float(wheel.axis[1]) > 0.0 else 1.0
+        )
+        behind = patch + load["trail"] * rear / ca.norm_2(rear)
         vertical = ca.SX.sym(f"{name} load")
         self._unknowns.append(vertical)
         self._road.append((name, patch[2], vertical))

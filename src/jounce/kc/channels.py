@@ -110,6 +110,8 @@ class KcMap(Description):
         Length over which toe is measured as a distance, m: between two dial gauges, or the diameter of the rim.
     wheel : {"left", "right"} or None
         Wheel of columns that name none.
+    wheels : mapping
+        The same for each file, sheet or section, by its name: ``{"Run 07" = "left", "Run 08" = "right"}``.
     axle : {"front", "rear"} or None
         Axle to read, if the files hold both.
     tests : mapping
@@ -122,6 +124,7 @@ class KcMap(Description):
     track: PositiveLength | None = None
     gauge_base: PositiveLength | None = None
     wheel: Wheel | None = None
+    wheels: Mapping[str, Wheel] = {}
     axle: Literal["front", "rear"] | None = None
     tests: Mapping[str, str] = {}
     columns: Mapping[str, KcColumn] = {}

@@ -211,7 +211,7 @@ class Laboratory:
         for side, share in enumerate(test.shares):
             load = test.direction * share * inputs
             if test.kind == "lateral":
-                loads[:, side, 1], loads[:, side, 6] = load, -trail
+                loads[:, side, 1], loads[:, side, 6] = load, trail
             elif test.kind == "aligning":
                 loads[:, side, 2] = load
             elif test.kind == "longitudinal":
@@ -396,7 +396,8 @@ def kc_test(
     handwheel : {"locked", "free"}
         Whether the handwheel holds the rack.
     trail : float or str, optional
-        Distance behind the contact point at which lateral forces act, m; by default that of the test.
+        Distance behind the contact point, along the wheel's heading, at which lateral forces act, m; by default that
+        of the test.
     on : {"front", "rear"}, optional
         Axle of a car.
 

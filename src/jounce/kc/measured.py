@@ -17,11 +17,12 @@ from jounce.core.units import positive_si
 from jounce.kc.channels import SCHEMA, KcColumn, KcMap, as_map
 from jounce.kc.conventions import SignConvention, convention_in, convention_of
 from jounce.kc.loops import directions_of, drift_of, lines_of, noise_of, value_at
-from jounce.kc.readings import Readings, channels_of, proposed_entry, read_section
+from jounce.kc.readings import Channel, Readings, channels_of, proposed_entry, read_section, stated
 from jounce.kc.rig_tests import named_test, recognised_test, swept_input
 from jounce.kc.sections import Section, read_sections
 from jounce.kc.sheet_checks import check_sheet, check_test
 from jounce.kc.tests import TESTS
+from jounce.kc.two_files import joined, together
 from jounce.kc.vocabulary import QUANTITIES, READING, ZEROED, KcQuantity, quantity_name
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def read_kc(
     The test follows from the channel map, from names of files, sheets and lines above the columns, or from what moves.
     Columns are recognised by their headings (``Toe L [deg]``, ``LF_Camber (deg)``, ``Fy Left N``), others need a
     channel map. Ten rows of travel, toe and camber of one wheel are the bounce test of that wheel; toe may come from
-    two dial gauges and the distance between them.
+    two dial gauges and the distance between them. Left and right wheel of a test may be in a file each.
 
     Movements are zeroed where the input is zero, on the mean of both branches; angles and forces stay totals. Drift
     that is linear in time, seen between equal inputs of successive cycles, is removed. A test that cannot be read
@@ -114,6 +115,8 @@ def read_kc(
     findings: list[Finding] = []
     tests: dict[str, xr.Dataset] = {}
     errors: list[RecordingError] = []
+    tables: list[_Table] = []
+    known: dict[str, Mapping[str, Channel]] = {}
     for section in _sections(paths):
         if isinstance(section, tuple):
             place, problem = section
@@ -121,15 +124,31 @@ def read_kc(
             findings.append(finding("kc.unread", place, error=problem))
             continue
         try:
-            test, dataset, own = _read_test(section, rig, signs, given)
+            _add_table(tables, _read_table(section, rig, signs))
+        except RecordingError as error:
+            errors.append(error)
+            findings.append(finding("kc.unread", section.place, error=error))
+    for table in tables:
+        test, section = table.test, table.section
+        try:
+            if not test:
+                raise _unknown_test(section, table.readings)
+            dataset, own = _read_test(table, given)
         except RecordingError as error:
             errors.append(error)
             findings.append(finding("kc.unread", section.place, error=error))
             continue
         findings += own
         if test in tests:
-            findings.append(finding("kc.test_twice", section.place, test=test))
-            continue
+            both = joined(tests[test], dataset)
+            if both is None:
+                findings.append(finding("kc.test_twice", section.place, test=test))
+                continue
+            findings.append(finding("kc.wheels_joined", section.place, test=test))
+            dataset, known[test] = both, {**known[test], **table.readings.channels}
+            findings += check_test(test, dataset, known[test], f"{section.place}: {test}")
+        else:
+            known[test] = table.readings.channels
         tests[test] = dataset
     if not tests:
         raise errors[0] if errors else RecordingError("no files", where="paths")
@@ -147,26 +166,65 @@ def _sections(
             yield str(path), error
 
 
-def _read_test(
-    section: Section, rig: KcMap, signs: SignConvention | None, track: float | None
-) -> tuple[str, xr.Dataset, list[Finding]]:
-    """Read one table as a test."""
+@dataclass(frozen=True)
+class _Table:
+    """A table with its test, empty if it is not known, and whether a name says it."""
+
+    section: Section
+    rig: KcMap
+    signs: SignConvention
+    is_stated: bool
+    test: str
+    is_named: bool
+    readings: Readings
+
+    def as_test(self, test: str) -> Readings:
+        """Read its columns as those of a test."""
+        return read_section(self.section, self.rig, self.signs, test or None)
+
+
+def _read_table(section: Section, rig: KcMap, given: SignConvention | None) -> _Table:
+    signs, is_stated = _signs_of(section, rig, given)
+    test = stated(section, rig.tests) or named_test(section.names)
+    readings = read_section(section, rig, signs, test or None)
+    is_named = bool(test)
+    if not is_named:
+        test = recognised_test(readings.values)
+        readings = read_section(section, rig, signs, test) if test else readings
+    return _Table(section, rig, signs, is_stated, test, is_named, readings)
+
+
+def _add_table(tables: list[_Table], table: _Table) -> None:
+    """Add a table, or join it with that of the other wheel where only both together tell test or input."""
+    for k, other in enumerate(tables):
+        needs_both = not (table.is_named or other.is_named) or (
+            table.test == other.test == "roll" and "roll_angle" not in other.readings.values
+        )
+        both = needs_both and together(other.readings, table.readings, table.section.place)
+        if not both:
+            continue
+        test = other.test if other.is_named else recognised_test(both.values)
+        readings = together(other.as_test(test), table.as_test(test), table.section.place)
+        if test and readings is not None:
+            tables[k] = replace(other, test=test, readings=readings)
+            return
+    tables.append(table)
+
+
+def _read_test(table: _Table, track: float | None) -> tuple[xr.Dataset, list[Finding]]:
+    """Return the test of a table."""
+    section, readings = table.section, table.readings
     findings: list[Finding] = [replace(item, place=section.place) for item in section.table.remarks]
-    signs, stated = _signs_of(section, rig, signs)
-    test = _stated_test(section, rig) or named_test(section.names)
-    if not test:
-        first = read_section(section, rig, signs, None)
-        test = recognised_test(first.values)
-        if not test:
-            raise _unknown_test(section, first)
-        findings.append(finding("kc.test_recognised", section.place, test=test))
-    readings = read_section(section, rig, signs, test)
+    if not table.is_named:
+        findings.append(finding("kc.test_recognised", section.place, test=table.test))
     findings += readings.findings
-    if not stated and any(QUANTITIES[quantity_name(name)].axis for name in readings.values):
+    if not table.is_stated and any(
+        QUANTITIES[quantity_name(name)].axis for name in readings.values
+    ):
         findings.append(finding("kc.convention_assumed", section.place))
-    dataset, own = _dataset(test, readings, track, section)
+    dataset, own = _dataset(table.test, readings, track, section)
     findings += own
-    return test, dataset.assign_attrs(finding_attributes(findings)), findings
+    return dataset.assign_attrs(finding_attributes(findings)), findings
 
 
 def _signs_of(
@@ -179,12 +237,6 @@ def _signs_of(
         return convention_of(rig.convention, "convention"), True
     name = convention_in("\n".join([section.preamble, *section.table.comments]))
     return convention_of(name or "iso", section.place), bool(name)
-
-
-def _stated_test(section: Section, rig: KcMap) -> str:
-    file = Path(section.table.file)
-    names = (section.title, file.name, file.stem)
-    return next((rig.tests[name] for name in names if name in rig.tests), "")
 
 
 def _unknown_test(section: Section, readings: Readings) -> RecordingError:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 import numpy as np
 
@@ -148,7 +149,7 @@ def _with_wheels(
         has_input = any(channel.quantity == "input" for channel in channels)
         shared = [_as_input(channel, test, section.place, findings, has_input) for channel in bare]
         return [item for item in channels if item not in bare] + [*filter(None, shared)]
-    wheel: str = rig.wheel or _wheel_of(section.names)
+    wheel: str = stated(section, rig.wheels) or rig.wheel or _wheel_of(section.names)
     if not wheel:
         wheel = "left"
         findings.append(finding("kc.wheel_assumed", section.place, wheel=wheel))
@@ -169,6 +170,14 @@ def _as_input(
         return None
     findings.append(finding("kc.for_both_wheels", place, column=channel.label))
     return replace(channel, wheel=wheel)
+
+
+def stated(section: Section, names: Mapping[str, str]) -> str:
+    """Return what a map says of a table by the name of its sheet or file; empty if it says nothing."""
+    file = Path(section.table.file)
+    return next(
+        (names[name] for name in (section.title, file.name, file.stem) if name in names), ""
+    )
 
 
 def _wheel_of(names: Iterable[str]) -> str:

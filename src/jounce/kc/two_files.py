@@ -62,16 +62,16 @@ def joined(first: xr.Dataset, other: xr.Dataset) -> xr.Dataset | None:
         max(abs(mine.max() - its.max()), abs(mine.min() - its.min())) > _SAME * reach
     ):
         return None
-    rising = np.asarray(first["direction"].values) > 0
+    way = np.asarray(first["direction"].values, dtype=float)
     added = {
-        name: ("sample", _over(its, np.asarray(data.values, dtype=float), mine, rising), data.attrs)
+        name: ("sample", _over(its, np.asarray(data.values, dtype=float), mine, way), data.attrs)
         for name, data in other.data_vars.items()
         if name not in first
     }
     return first.assign(added)
 
 
-def _over(sweep: Array, values: Array, inputs: Array, rising: Array) -> Array:
+def _over(sweep: Array, values: Array, inputs: Array, way: Array) -> Array:
     lines = lines_of(sweep, values, inputs)
-    own = np.where(rising, lines.up, lines.down)
+    own = np.where(way > 0.0, lines.up, lines.down)
     return np.asarray(np.where(np.isnan(own), lines.mean, own))

@@ -46,9 +46,9 @@ P, A, K, F, S, B, C = 0, 3, 12, 18, 24, 30, 36
 Q, LENGTH, SIGN, PRELOAD, SLIP, HOLD, RATE, FACTOR, ALONG = 3, 6, 7, 8, 9, 10, 11, 12, 13
 LINEAR, POLYNOMIAL, POWER, TABLE, STOP = range(5)
 """Laws: ``k x`` (the element's own stiffness), polynomial without constant, power, table, bump stop."""
-LOADS = 8
+LOADS = 7
 """Loads of a wheel: x, y of the force at the contact point, moment about z, x, y, z of the force at the wheel centre,
-x, y of the distance from the contact point to where its horizontal force acts."""
+distance behind the contact point, against the wheel's heading, at which its horizontal force acts."""
 WHEEL = 8
 """Numbers of a wheel: centre (3), axis (3), radius; the last is free."""
 SETTLED, NO_EQUILIBRIUM, SINGULAR, NOT_TRIED = range(4)

@@ -546,3 +546,67 @@ def test_a_column_without_a_wheel_does_not_replace_the_input(tmp_path: Path) -> 
     (tmp_path / "lateral in phase.csv").write_text(f"input [N],Toe L [deg],Fy [N]\n{rows}\n")
     read = jn.read_kc(tmp_path / "lateral in phase.csv")["lateral-in-phase"]
     assert read["input"].values == pytest.approx(100.0 * np.arange(-5, 6))
+
+
+# --- two files
+
+
+def split(rig: Any, test: str, rows: slice = slice(None), names: tuple[str, str] = ("l", "r")):
+    """Write the columns of each wheel to a file of its own, those of the axle to both."""
+    sheet = rig.columns(test)
+    words = {"l": {"L", "Left", "left", "LF"}, "r": {"R", "Right", "right", "RF"}}
+    files = []
+    for wheel, other, name in (("l", "r", names[0]), ("r", "l", names[1])):
+        own = {
+            heading: values[rows] if wheel == "r" else values
+            for heading, values in sheet.items()
+            if not words[other] & {*heading.replace("_", " ").replace("[", " ").split()}
+        }
+        files.append(rig.write(name, own))
+    assert 0 < len(own) < len(sheet)
+    return files
+
+
+@pytest.mark.parametrize("test", ["bounce", "roll", "lateral-opposed"])
+@pytest.mark.parametrize("rows", [slice(None), slice(None, None, 2)])
+def test_both_wheels_of_a_test_may_have_a_file_each(rig: Any, test: str, rows: slice) -> None:
+    files = split(rig, test, rows, (f"{test} run 1.csv", f"{test} run 2.csv"))
+    sheet = jn.read_kc(files, convention="iso")
+    whole = jn.read_kc(rig.write_test(test), convention="iso")
+    assert "kc.wheels_joined" in codes(sheet, serious=False)
+    assert "kc.test_twice" not in codes(sheet)
+    assert set(sheet[test].data_vars) == set(whole[test].data_vars)
+    got, expected = (jn.kc_slopes(each[test])["slope"] for each in (sheet, whole))
+    for quantity in expected["quantity"].values:
+        assert float(got.sel(quantity=quantity)) == pytest.approx(
+            float(expected.sel(quantity=quantity)), rel=1e-3, abs=1e-9
+        )
+
+
+@pytest.mark.parametrize("test", ["lateral-opposed", "lateral-in-phase"])
+def test_two_unnamed_files_tell_together_which_test_they_are(rig: Any, test: str) -> None:
+    sheet = jn.read_kc(split(rig, test, names=("run 1.csv", "run 2.csv")), convention="iso")
+    assert list(sheet) == [test]
+    assert "kc.wheels_by_row" in codes(sheet, serious=False)
+
+
+def test_the_map_says_which_wheel_a_file_has(rig: Any) -> None:
+    z = np.linspace(-0.03, 0.03, 13)
+    files = [
+        rig.write(name, {"travel [mm]": 1e3 * z, "toe [deg]": gain * z})
+        for name, gain in (("run 1.csv", 5.0), ("run 2.csv", 7.0))
+    ]
+    rows = {"wheels": {"run 1": "right", "run 2.csv": "left"}}
+    bounce = jn.read_kc(files, rows, convention="iso")["bounce"]
+    slopes = np.degrees(jn.kc_slopes(bounce)["slope"])
+    assert float(slopes.sel(quantity="left.toe")) == pytest.approx(7.0)
+    assert float(slopes.sel(quantity="right.toe")) == pytest.approx(5.0)
+
+
+def test_the_same_wheel_twice_is_still_said(rig: Any) -> None:
+    z = np.linspace(-0.03, 0.03, 13)
+    files = [
+        rig.write(name, {"Travel L [mm]": 1e3 * z, "Toe L [deg]": 5.0 * z})
+        for name in ("bounce 1.csv", "bounce 2.csv")
+    ]
+    assert "kc.test_twice" in codes(jn.read_kc(files, convention="iso"))

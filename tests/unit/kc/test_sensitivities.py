@@ -65,7 +65,7 @@ def test_every_test_of_a_double_wishbone_on_bushings(test: str) -> None:
     [
         ("lateral-left", {"held": "height"}),
         ("aligning-in-phase", {"handwheel": "free"}),
-        ("lateral-in-phase", {"travel": "20 mm", "steer": "10 mm", "trail": "20 mm"}),
+        ("lateral-in-phase", {"travel": "20 mm", "steer": "25 mm", "trail": "60 mm"}),
         ("bounce", {"quantities": ("left.tie_rod_outer.force_y", "right.strut_top.torque_x")}),
     ],
 )

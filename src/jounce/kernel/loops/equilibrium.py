@@ -631,11 +631,27 @@ def _lowered(s: Triple, down: Triple, change: Triple) -> Any:
 
 
 @part()
-def _load(assembly: Any, space: Any, wheel: int) -> tuple[Triple, float, Triple, Triple]:
-    """Return the horizontal force, moment, force at the centre, and where the first acts from the contact point."""
+def _ahead(s: Triple) -> Triple:
+    """Return the level direction in which a wheel with this axis heads."""
+    scale = math.copysign(1.0, s[1]) / math.sqrt(1.0 - s[2] * s[2])
+    return scale * s[1], -scale * s[0], 0.0
+
+
+@part()
+def _swung(s: Triple, change: Triple) -> Any:
+    """Return the change of the heading for a change of the wheel's axis."""
+    square = 1.0 - s[2] * s[2]
+    scale = math.copysign(1.0, s[1]) / math.sqrt(square)
+    turned = (scale * change[1], -scale * change[0], 0.0)
+    return _plus(turned, _times(s[2] * change[2] / square, _ahead(s)))
+
+
+@part()
+def _load(assembly: Any, space: Any, wheel: int) -> tuple[Triple, float, Triple, float]:
+    """Return the horizontal force, moment, force at the centre, and how far behind the first acts."""
     now, i = space.now, len(assembly.controls) + wheel * LOADS
     through = (now[i + 3], now[i + 4], now[i + 5])
-    return (now[i], now[i + 1], 0.0), now[i + 2], through, (now[i + 6], now[i + 7], 0.0)
+    return (now[i], now[i + 1], 0.0), now[i + 2], through, now[i + 6]
 
 
 @part()
@@ -644,8 +660,9 @@ def _wheel(assembly: Any, space: Any, wheel: int, tangent: bool) -> None:
     pose, body = space.pose, assembly.carriers[wheel]
     centre, contact, s, down = _contact(pose, assembly, wheel)
     radius = assembly.wheels[wheel, 6]
-    level, aligning, through, off = _load(assembly, space, wheel)
-    moment = _plus(_cross(_plus(contact, off), level), _cross(centre, through))
+    level, aligning, through, trail = _load(assembly, space, wheel)
+    at = _minus(contact, _times(trail, _ahead(s)))
+    moment = _plus(_cross(at, level), _cross(centre, through))
     moment = _plus(moment, (0.0, 0.0, aligning))
     _add(space, 0, body, 1.0, _plus(level, through), moment)
     if not tangent:
@@ -655,8 +672,9 @@ def _wheel(assembly: Any, space: Any, wheel: int, tangent: bool) -> None:
         d = _unit(j % 3)
         moved, lowered = d, none
         if j >= 3:
-            moved = _cross(d, centre)
-            lowered = _times(radius, _lowered(s, down, _cross(d, s)))
+            moved, turned = _cross(d, centre), _cross(d, s)
+            lowered = _times(radius, _lowered(s, down, turned))
+            lowered = _minus(lowered, _times(trail, _swung(s, turned)))
         change = _plus(_cross(_plus(moved, lowered), level), _cross(moved, through))
         _enter(space, body, 1.0, 6 * body + j, none, change)
 
@@ -1148,8 +1166,9 @@ def _vary_wheel(
     centre, axis = _turn(pose, body, _triple(change, 0)), _turn(pose, body, _triple(change, 3))
     lowered = _times(assembly.wheels[wheel, 6], _lowered(s, down, axis))
     contact = _plus(centre, _plus(lowered, _times(change[6], down)))
-    level, _, through, _ = _load(assembly, space, wheel)
-    moment = _plus(_cross(contact, level), _cross(centre, through))
+    level, _, through, trail = _load(assembly, space, wheel)
+    at = _minus(contact, _times(trail, _swung(s, axis)))
+    moment = _plus(_cross(at, level), _cross(centre, through))
     _add(space, column, body, 1.0, none, moment)
     controls = len(assembly.controls)
     first = len(space.right) - controls
