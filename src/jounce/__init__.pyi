@@ -222,6 +222,7 @@ from .recordings import read_columns as read_columns
 from .recordings import read_recording as read_recording
 from .recordings import to_pandas as to_pandas
 from .recordings import write_recording as write_recording
+from .recordings import write_rpc as write_rpc
 from .recordings.carried import recording as recording
 from .recordings.options import RecordFile as RecordFile
 from .report.animation import animate as animate

@@ -115,7 +115,10 @@ class Column:
         """Return the values times a factor; refuse impossible sizes, whose squares overflow."""
         with np.errstate(over="ignore"):
             values = np.asarray(self.readable().values * factor, dtype=float)
-            most = float(np.fmax.reduce(np.abs(values), initial=0.0))
+            most = max(
+                float(np.fmax.reduce(values, initial=0.0)),
+                -float(np.fmin.reduce(values, initial=0.0)),
+            )
         if LARGEST < most < math.inf:  # NaN and infinities are refused by their row
             size = f"{most / abs(factor):g} {self.unit}".rstrip()
             raise RecordingError("an impossible value", where=self.where, found=size)

@@ -16,6 +16,7 @@ from jounce.core.findings import Finding, at_place, finding
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import conversion_factor, to_si
+from jounce.core.writing import Formats
 from jounce.recordings import isolated
 from jounce.recordings.carried import as_recording
 from jounce.recordings.clocks import by_clock, is_steady, lower_rate_finding, rate_of
@@ -33,7 +34,7 @@ from jounce.recordings.readers import is_read_in_child, read_signals
 from jounce.recordings.schema import channel_unit, quantity_of, recording_of
 from jounce.recordings.sensor_files import read_sensors
 from jounce.recordings.signals import read_at, uniform_instants
-from jounce.recordings.writers import RECORDING_FILES
+from jounce.recordings.writers import RECORDING_FILES, rpc_of_recording
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -288,11 +289,12 @@ def _together(
     wanted, common = time[inside], dict[str, Array]()
     for table in used:
         names = [name for name in values if homes[name] is table]
+        if table is fastest and not findings:
+            is_whole = bool(inside.all())
+            common |= {name: values[name] if is_whole else values[name][inside] for name in names}
+            continue
         stacked = np.stack([values[name] for name in names], axis=1)
-        if table is not fastest or findings:
-            stacked = read_at(instants[table], stacked, wanted, rate)
-        else:
-            stacked = stacked[inside]
+        stacked = read_at(instants[table], stacked, wanted, rate)
         common |= {
             name: np.ascontiguousarray(column)
             for name, column in zip(names, stacked.T, strict=True)
@@ -740,7 +742,7 @@ def write_recording(
     path : Path or str
         ``.nc`` (netCDF-4), ``.mat`` (MATLAB), ``.mf4`` (MDF 4.10), ``.parquet`` and ``.xlsx`` (Excel) keep names,
         units, long names and attributes; the last three need the extra ``io``. ``.csv`` is text with ``name [unit]``
-        headers and numbers in full precision.
+        headers and numbers in full precision. ``.rsp`` (RPC III) keeps names, units and numbers in single precision.
     force : bool
         Overwrite an existing file.
 
@@ -765,6 +767,53 @@ def write_recording(
     True
     """
     return RECORDING_FILES.write(as_recording(dataset), path, force=force)
+
+
+def write_rpc(
+    dataset: xr.Dataset | pd.DataFrame,
+    path: Path | str,
+    *,
+    integers: bool = False,
+    force: bool = False,
+) -> dict[str, float]:
+    """Write a recording as an RPC III time history (``.rsp``) for test rigs.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset or pandas.DataFrame
+        A recording with a constant time step, or a table with columns ``name [unit]``; up to 128 channels.
+    path : Path or str
+        File to write; its suffix must be ``.rsp``.
+    integers : bool
+        Store 16-bit integers with a scale per channel, as older RPC III programs expect; otherwise single precision.
+    force : bool
+        Overwrite an existing file.
+
+    Returns
+    -------
+    dict of str to float
+        Largest rounding error of each channel, in its unit: for integers at most half of the channel's largest
+        magnitude / 32752, in single precision at most 6e-8 of the number.
+
+    Raises
+    ------
+    OutputError
+        If the file exists and ``force`` is not set, the time step is not constant, a number is not finite, a name is
+        longer than 95 Latin letters, or there are more than 128 channels.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> from jounce.recordings import read_recording, recording
+    >>> run = recording([i / 1000 for i in range(9)], {"tyre.force": ([200.0 + i for i in range(9)], "N", "")})
+    >>> errors = write_rpc(run, pathlib.Path(tempfile.mkdtemp()) / "run.rsp", integers=True)
+    >>> 0.0 < errors["tyre.force"] < 0.5 * 208.0 / 32752
+    True
+    """
+    content, errors = rpc_of_recording(as_recording(dataset), integers=integers)
+    formats = Formats("RPC III files", {".rsp": lambda data, file: file.write_bytes(data)})
+    formats.write(content, path, force=force)
+    return errors
 
 
 def to_pandas(dataset: xr.Dataset) -> pd.DataFrame:

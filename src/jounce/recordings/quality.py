@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -162,16 +163,18 @@ def check_ascending(
 
 
 def _check_finite(values: Array, at: str, name_row: Callable[[int], str]) -> None:
-    finite = np.isfinite(values)
-    if not finite.all():
-        row = int(np.argmin(finite))
+    if not values.size:
+        return
+    lowest, highest = float(values.min()), float(values.max())  # NaN if any value is
+    if not math.isfinite(lowest) or not math.isfinite(highest):
+        row = int(np.argmin(np.isfinite(values)))
         raise RecordingError(
             Phrase("not a finite number at {name_row}", name_row=name_row(row)),
             where=at,
             found=str(values[row]),
             hint="Fill the gap or cut off the rows.",
         )
-    if values.size and (largest := float(np.abs(values).max())) > OVER_RANGE:
+    if (largest := max(-lowest, highest)) > OVER_RANGE:
         row = int(np.argmax(np.abs(values)))
         raise RecordingError(
             Phrase("implausible value at {name_row}", name_row=name_row(row)),
@@ -245,10 +248,13 @@ def _is_driven(name: str) -> bool:
 
 def _holding(values: Array, at: str) -> list[Finding]:
     """Report a channel that holds each value for the same number of samples, and then jumps."""
-    changes = np.flatnonzero(np.diff(values))
-    runs, jumps = np.diff(changes), np.abs(np.diff(values)[changes])
-    if len(runs) < _FEWEST_HELD:
+    equal = int(np.count_nonzero(values[1:] == values[:-1]))
+    count = values.size - equal - 2  # runs between the first and the last change
+    if count < _FEWEST_HELD or 2 * (count - equal) > count:  # most runs are single samples
         return []
+    steps = np.diff(values)
+    changes = np.flatnonzero(steps)
+    runs, jumps = np.diff(changes), np.abs(steps[changes])
     length = int(np.median(runs))
     # A slow signal that is merely quantised moves by single steps of its resolution.
     if (
@@ -399,7 +405,10 @@ def _flat_samples(values: Array, limit: float, jump: float) -> int:
 
 def _runs(values: Array, fewest: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Return start and end (exclusive) of each run of equal samples within the record, except at its ends."""
-    edges = np.flatnonzero(np.diff(values)) + 1
+    is_equal = values[1:] == values[:-1]
+    if np.count_nonzero(is_equal) < fewest - 1:
+        return np.empty(0, np.intp), np.empty(0, np.intp)
+    edges = np.flatnonzero(~is_equal) + 1
     starts, ends = edges[:-1], edges[1:]
     long = ends - starts >= fewest
     return starts[long], ends[long]

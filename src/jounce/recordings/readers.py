@@ -39,14 +39,19 @@ from jounce.core.types import Array
 from jounce.core.units import is_unit, is_unit_of
 from jounce.core.workbooks import sheets_of
 from jounce.core.writing import working_folder
-from jounce.recordings.hdf5 import announcement, check_size
+from jounce.recordings.hdf5 import announcement, check_size, surplus
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.labview import FIRST, plain_columns
 from jounce.recordings.matlab import read_matrices
+from jounce.recordings.motec import read_log
 from jounce.recordings.netcdf import VariableGroup, open_netcdf
 from jounce.recordings.parquet import check_counts, check_end
+from jounce.recordings.race_tables import preamble
 from jounce.recordings.reader import Read, Reader, ReaderOptions, SignalTable
+from jounce.recordings.rpc import SUFFIXES as RPC_SUFFIXES
+from jounce.recordings.rpc import read_rpc
 from jounce.recordings.schema import channel_unit, quantity_of
+from jounce.recordings.vbox import read_vbo
 from jounce.recordings.writers import ABOUT, EXCEL, attributes_in
 
 READERS: list[Reader] = []
@@ -246,7 +251,10 @@ def _rename(table: ColumnTable, header: str) -> ColumnTable:
     example="time [s], sprung.az [m/s^2]",
 )
 def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
-    """Read columns separated by commas, semicolons or tabs; also LabVIEW text files, whatever their suffix."""
+    """Read columns separated by commas, semicolons or tabs; also LabVIEW text files, whatever their suffix.
+
+    Of tables of AiM the texts above the header are attributes, and its beacon markers lap markers.
+    """
     text = text_of(path)
     if text.startswith(FIRST):
         return _labview(text, path, options)
@@ -254,7 +262,8 @@ def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
         _rename(
             columns_in(text, path, len(parse_header(options.header)) if options.header else 0),
             options.header,
-        )
+        ),
+        attributes=preamble(text),
     )
 
 
@@ -797,6 +806,105 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
         raise RecordingError("no rows", where=str(path))
     return SignalTable(
         _table_of(columns, path, options), long_names, attributes, findings=tuple(findings)
+    )
+
+
+@reader(
+    "rpc",
+    "RPC III time history, binary or text",
+    RPC_SUFFIXES,
+    source="RPC III file format, MTS: its keywords in the documentation of rpc3-file 1.0, and loadrpc.m",
+    example="run.rsp written by jounce simulate --out run.rsp",
+)
+def _read_rpc(path: Path, options: ReaderOptions) -> SignalTable:
+    """Read all channels, named by their descriptions, in their units; time follows from ``DELTA_T``.
+
+    It is read here, not in a child: no library is involved, and no more is allocated than the file contains.
+    """
+    with reading(path, RecordingError):
+        history = read_rpc(path)
+    return SignalTable(
+        _table_of(history.columns, path, options),
+        attributes=history.attributes,
+        findings=history.findings,
+    )
+
+
+@reader(
+    "motec",
+    "MoTeC log file, with the lap markers of the .ldx beside it",
+    (".ld",),
+    source="layout found by the public parser gotzl/ldparser: MoTeC publishes none",
+    example="columns={'front_left.strut.deflection': 'Damper Pos FL'}",
+    is_isolated=True,
+)
+def _read_motec(path: Path, options: ReaderOptions) -> SignalTable:
+    """Read the channels of each rate with their own time; the texts of the header are attributes."""
+    with reading(path, RecordingError):
+        log = read_log(path)
+    signals = _by_clock(
+        list(map(list, log.clocks)), path, options, left_out=log.left_out, findings=log.findings
+    )
+    return replace(signals, attributes=log.attributes)
+
+
+@reader(
+    "vbo",
+    "Racelogic VBOX file (text)",
+    (".vbo",),
+    source="VBO file format, Racelogic, manuals of VBOX II Lite, VBOX Touch and VBOX Micro",
+    example="columns={'body.speed': 'velocity', 'body.ay': 'Latacc'}",
+)
+def _read_vbo(path: Path, options: ReaderOptions) -> SignalTable:
+    """Read the rows of a drive: time in s, positions in degrees to the north and east, laps from the start line."""
+    drive = read_vbo(text_of(path), path)
+    return SignalTable(
+        _table_of(drive.columns, path, options),
+        attributes=drive.attributes,
+        findings=drive.findings,
+    )
+
+
+_SST_HEAD = struct.Struct("<3sBHHq")  # signature, version, rate in Hz, padding, seconds since 1970
+_NO_SENSOR = 0xFFFF
+
+
+@reader(
+    "sst",
+    "Sufni suspension telemetry, version 3: fork and shock in counts",
+    (".sst",),
+    source="class RawTelemetryData of Sufni.Bridge (sghctoma), version 3",
+    example="columns={'front.fork.counts': 'fork'}, sensors='bicycle.toml'",
+)
+def _read_sst(path: Path, options: ReaderOptions) -> SignalTable:
+    """Read pairs of 16-bit numbers of the angle sensors; a sensor that was not there is left out."""
+    with reading(path, RecordingError):
+        content = path.read_bytes()
+    size = _SST_HEAD.size
+    signature, version, rate, _, began = _SST_HEAD.unpack(content[:size].ljust(size, b"\0"))
+    if (signature, version) != (b"SST", 3) or not rate:
+        raise RecordingError(
+            "not a file of Sufni telemetry of version 3",
+            where=str(path),
+            found=f"{content[:4]!r}, {rate} Hz",
+            allowed="SST, version 3, a rate above 0 Hz",
+        )
+    counts = np.frombuffer(content, "<u2", offset=size, count=(len(content) - size) // 4 * 2)
+    pairs = counts.reshape(-1, 2).T.astype(float)
+    time = np.asarray(np.arange(pairs.shape[1]) / rate, dtype=float)
+    columns, left_out = [Column("time", "s", time, str(path))], []
+    for name, values in zip(("fork", "shock"), pairs, strict=True):
+        if (values == _NO_SENSOR).all():
+            left_out.append(name)
+        else:
+            columns.append(Column(name, "counts", np.ascontiguousarray(values), str(path)))
+    if len(columns) == 1:
+        raise RecordingError("no channel with samples", where=str(path), found=f"{time.size} rows")
+    return SignalTable(
+        _table_of(columns, path, options),
+        attributes={"recorded": began},
+        left_out=tuple(left_out),
+        findings=tuple(surplus(size + 4 * time.size, len(content), str(path))),
     )
 
 

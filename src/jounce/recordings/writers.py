@@ -17,8 +17,11 @@ from jounce.core.optional import require
 from jounce.core.phrases import Phrase
 from jounce.core.serialise import to_plain
 from jounce.core.text import guard_formula, place_in
+from jounce.core.types import Array
 from jounce.core.workbooks import CONTROL, MOST_COLUMNS, MOST_ROWS, split_text, workbook_of
 from jounce.core.writing import Formats, working_folder
+from jounce.recordings.quality import LARGEST_JITTER
+from jounce.recordings.rpc import rpc_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -314,6 +317,46 @@ def _xlsx_of(dataset: xr.Dataset) -> bytes:
     return workbook_of(sheets)
 
 
+def rpc_of_recording(dataset: xr.Dataset, *, integers: bool) -> tuple[bytes, dict[str, float]]:
+    """Return an RPC III file, and the largest rounding error of each channel in its unit."""
+    signals = _signals(dataset)
+    time = np.asarray(signals.pop("time").values, dtype=float)
+    start, step = _uniform(time)
+    return rpc_of(
+        {
+            name: (np.asarray(signal.values, dtype=float), _unit(signal))
+            for name, signal in signals.items()
+        },
+        start,
+        step,
+        integers=integers,
+    )
+
+
+def _rpc_of(dataset: xr.Dataset) -> bytes:
+    return rpc_of_recording(dataset, integers=False)[0]
+
+
+def _uniform(time: Array) -> tuple[float, float]:
+    """Return start and step of uniform time; refuse other times."""
+    if time.size < 2:
+        raise OutputError(
+            "too few samples", where="time", found=str(time.size), allowed="2 or more"
+        )
+    count = np.arange(time.size)
+    start, mean = float(time[0]), float(time[-1] - time[0]) / (time.size - 1)
+    if not mean > 0.0 or np.abs(time - start - count * mean).max() > LARGEST_JITTER * mean:
+        raise OutputError(
+            "the time steps are not uniform",
+            where="time",
+            allowed="equal steps, which are all that the file can store",
+            hint="Resample the recording first.",
+        )
+    short = float(f"{mean:.12g}")  # 0.001 rather than 0.0009999999999999998
+    is_same = abs(short - mean) * time.size < 1e-6 * mean
+    return start, short if is_same else mean
+
+
 def _writer(
     content: Callable[[xr.Dataset], bytes], *, attributes: bool = True
 ) -> Callable[[xr.Dataset, Path], object]:
@@ -333,6 +376,7 @@ RECORDING_FILES = Formats(
         ".mf4": _writer(_mdf_of),
         ".parquet": _writer(_parquet_of),
         ".xlsx": _writer(_xlsx_of, attributes=False),
+        ".rsp": _writer(_rpc_of, attributes=False),
     },
 )
 """File formats in which recordings can be written."""

@@ -32,7 +32,7 @@ _ROAD = re.compile(rb"^\s*kind\s*=", re.MULTILINE)
 _ROW = re.compile(rb"^\s*[-+]?[\d.][\d.,eE+-]*[\s;,]+[-+]?\.?\d", re.MULTILINE)
 RECORDS = (
     ".nc", ".nc4", ".csv", ".tsv", ".txt", ".dat", ".mat", ".mf4", ".mdf", ".parquet", ".pq", ".xlsx", ".xlsm",
-    ".tdms", ".lvm", ".uff", ".uf", ".unv",
+    ".tdms", ".lvm", ".uff", ".uf", ".unv", ".rsp", ".rpc", ".rpc3", ".tim", ".drv", ".ld", ".vbo", ".sst",
 )  # fmt: skip
 """Suffixes of measured or simulated files: those of all readers."""
 RESULTS = "results.json"
