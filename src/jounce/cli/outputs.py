@@ -224,7 +224,7 @@ OUTPUTS: Mapping[str, OutputKind] = {
     ),
     "recording": OutputKind(
         "out",
-        _out("Write the recording: .nc, .csv, .mat, .mf4, .parquet or .xlsx."),
+        _out("Write the recording: .nc, .csv, .mat, .mf4, .parquet, .xlsx or .rsp."),
         lambda file, force: check_outputs(recording=file, force=force),
         _recording,
     ),

@@ -22,7 +22,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.markup import parse_xml
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
-from jounce.recordings.hdf5 import check_size
+from jounce.recordings.hdf5 import check_size, surplus
 
 _MARK = 0x40
 _CHANNEL = struct.Struct("<4I4H4h32s8s12s")
@@ -116,6 +116,8 @@ def read_log(path: Path) -> Log:
         raise RecordingError(
             "no channel with samples", where=str(path), found=", ".join(left_out) or "no channel"
         )
+    known = max(channel.offset + channel.count * channel.kind[1] for channel in channels)
+    findings += surplus(known, len(content), str(path))
     attributes = _texts(content, event)
     beacons, remarks = _beacons(path)
     return Log(

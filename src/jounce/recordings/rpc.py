@@ -37,7 +37,7 @@ _KINDS = {"SHORT_INTEGER": "i2", "FLOATING_POINT": "f4", "DOUBLE_PRECISION": "f8
 _AT_ONCE = 1 << 23  # bytes read at a time
 _NO_UNIT = ("NONE", "N/A", "-")
 _FEWEST_PADDED = 8  # equal samples at the end of all channels that are taken for padding
-_POINTS_PER_FRAME, _POINTS_PER_GROUP = 256, 2048  # written: the shortest frame that MTS allows
+_POINTS = 2048  # of a frame and a group when written: rpc-reader misreads groups that are not full of frames
 _BLANKS = bytes.maketrans(b"\t\r\n,;\0", b"      ")
 
 
@@ -326,7 +326,8 @@ def _binary(
                 piece = piece.reshape(many, own)
             else:
                 numbers = numbers.reshape(-1)[: piece.size]
-            np.multiply(numbers, scale, out=piece)
+            with np.errstate(invalid="ignore"):  # NaN is refused by its row
+                np.multiply(numbers, scale, out=piece)
         done += many
     return raw, points, findings
 
@@ -477,18 +478,18 @@ def rpc_of(
             allowed=Phrase("1 to {most}", most=MOST_CHANNELS),
         )
     samples = len(next(iter(channels.values()))[0])
-    groups = -(-samples // _POINTS_PER_GROUP)
+    groups = -(-samples // _POINTS)
     dtype = np.dtype("<i2" if integers else "<f4")
-    body = np.empty((groups, len(channels), _POINTS_PER_GROUP), dtype)
+    body = np.empty((groups, len(channels), _POINTS), dtype)
     keywords: dict[str, object] = {
         "FILE_TYPE": "TIME_HISTORY",
         "TIME_TYPE": "RESPONSE",
         "DATA_TYPE": "SHORT_INTEGER" if integers else "FLOATING_POINT",
         "DELTA_T": repr(step),
         "CHANNELS": len(channels),
-        "PTS_PER_FRAME": _POINTS_PER_FRAME,
-        "PTS_PER_GROUP": _POINTS_PER_GROUP,
-        "FRAMES": -(-samples // _POINTS_PER_FRAME),
+        "PTS_PER_FRAME": _POINTS,
+        "PTS_PER_GROUP": _POINTS,
+        "FRAMES": groups,
         "SAMPLES": samples,
         "HALF_FRAMES": 0,
         "REPEATS": 1,
@@ -521,9 +522,9 @@ def rpc_of(
         scale = (largest / FULL_SCALE or 1.0) if integers else 1.0
         stored = np.rint(values / scale).astype(dtype) if integers else values.astype(dtype)
         errors[name] = float(np.abs(stored * scale - values).max())
-        filled = np.full(groups * _POINTS_PER_GROUP, stored[-1], dtype)
+        filled = np.full(groups * _POINTS, stored[-1], dtype)
         filled[:samples] = stored
-        body[:, number - 1] = filled.reshape(groups, _POINTS_PER_GROUP)
+        body[:, number - 1] = filled.reshape(groups, _POINTS)
         keywords |= {
             f"DESC.CHAN_{number}": name,
             f"UNITS.CHAN_{number}": unit,

@@ -455,6 +455,21 @@ def _pyuff(**more: Any) -> Make:
     return make
 
 
+def _rpc3(kind: type) -> Make:
+    def make(file: Path) -> None:
+        import rpc3
+
+        rpc3.progressbar = False
+        channels = [
+            rpc3.Channel(name, unit, 0.01, values) for name, (values, unit) in CHANNELS.items()
+        ]
+        rpc3.write(str(file), channels, datatype=kind, overwrite=True)
+
+    return make
+
+
+writer("rpc3 float.rsp")(_rpc3(float))
+writer("rpc3 int.rsp")(_rpc3(int))
 writer("pyuff ascii.uff")(_pyuff(binary=0))
 writer("pyuff binary.uff")(_pyuff(binary=1))
 
@@ -610,7 +625,9 @@ def versions(libraries: Iterable[str]) -> dict[str, str]:
             continue
         try:
             importlib.import_module(library)
-            found[library] = version({"xlsxwriter": "XlsxWriter"}.get(library, library))
+            found[library] = version(
+                {"xlsxwriter": "XlsxWriter", "rpc3": "rpc3-file"}.get(library, library)
+            )
         except ImportError:
             continue
     return found

@@ -10,6 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import logger_files
 import numpy as np
 
 from jounce.core.workbooks import workbook_of
@@ -30,6 +31,10 @@ class Sample:
     content: bytes
     told: dict[str, Any] = field(default_factory=dict)
     has_checksums: bool = False
+    rounding: float = 1e-9
+    """Largest error of a stored number, as a share of the largest."""
+    states_length: bool = True
+    """Whether the format says how much belongs to a file; the end of a file that does not cannot be missed."""
 
 
 _MAKERS: dict[str, Callable[[], Sample]] = {}
@@ -287,6 +292,61 @@ def _set(entity: str, node: int, values: np.ndarray, unit: str) -> str:
         lines.append(f"{axis}{label:<20s} {of:<20s}")
     lines += ["".join(f"{v:20.12e}" for v in values[i : i + 4]) for i in range(0, len(values), 4)]
     return "\n".join([*lines, "    -1", ""])
+
+
+_OF_RIG = (("x", "m", STROKE), ("F", "N", FORCE))
+
+
+@_sample
+def rpc() -> Sample:
+    content = logger_files.rpc_file(_OF_RIG, 0.005, extra={"SAMPLES": ROWS})
+    return Sample("rpc", "a.rsp", content, _MDF_TOLD, rounding=1e-6)
+
+
+@_sample
+def rpc_integers() -> Sample:
+    scales = [float(np.abs(values).max()) / 32752 for _, _, values in _OF_RIG]
+    content = logger_files.rpc_file(
+        _OF_RIG, 0.005, kind="SHORT_INTEGER", scales=scales, extra={"SAMPLES": ROWS}
+    )
+    return Sample("rpc", "i.rsp", content, _MDF_TOLD, rounding=2e-5)
+
+
+@_sample
+def rpc_text() -> Sample:
+    content = logger_files.rpc_file(_OF_RIG, 0.005, form="ASCII", extra={"SAMPLES": ROWS})
+    return Sample("rpc", "t.rsp", content, _MDF_TOLD)
+
+
+@_sample
+def motec() -> Sample:
+    channels = [(name, unit, 200, (7, 4), values) for name, unit, values in _OF_RIG]
+    return Sample("motec", "a.ld", logger_files.ld_file(channels), _MDF_TOLD, rounding=1e-6)
+
+
+@_sample
+def vbo() -> Sample:
+    rows = [
+        f"008 {120000 + t:013.6f} +3119.37 -00059.48 {x!r} {f!r}"
+        for t, x, f in zip(TIME.tolist(), STROKE.tolist(), FORCE.tolist(), strict=True)
+    ]
+    titles = ("satellites", "time", "latitude", "longitude", "x m", "F N")
+    text = logger_files.vbo_text(rows, names="sats time lat long x F", titles=titles)
+    return Sample("vbo", "a.vbo", text.encode(), _MDF_TOLD)
+
+
+@_sample
+def sst() -> Sample:
+    from jounce.recordings import Sensor
+
+    fork, shock = np.round((STROKE + 0.02) * 1e5), np.round(FORCE)
+    stroke = Sensor(
+        column="fork", sensitivity="100 counts/mm", zero="2000 counts", datum="undeformed"
+    )
+    force = Sensor(column="shock", sensitivity="1 counts/N", datum="undeformed")
+    told = {"sensors": {"strut.stroke": stroke, "strut.force": force}}
+    content = logger_files.sst_file(fork, shock, 200)
+    return Sample("sst", "a.sst", content, told, rounding=1e-3, states_length=False)
 
 
 @_sample
