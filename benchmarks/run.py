@@ -17,6 +17,7 @@ from laboratory_rows import laboratory_rows
 from mechanism_rows import mechanism_rows
 from peers import casadi_runs, cheapest, diffrax_runs, linear_runs, numba_runs, scipy_runs
 from problems import CHANNELS, DURATION, TIMES, Obstacle, QuarterCar, displacement_error, long_road
+from recording_rows import recording_rows
 from report_rows import report_rows
 from ride_rows import ride_rows
 from scale_rows import scale_rows
@@ -170,6 +171,7 @@ PARTS = (
     scale_rows,
     update_rows,
     laboratory_rows,
+    recording_rows,
     start_rows,
     report_rows,
 )

@@ -218,6 +218,7 @@ from .parts.variants import with_strut_angle as with_strut_angle
 from .parts.vehicles import axle_of as axle_of
 from .recordings import Sensor as Sensor
 from .recordings import apply_sensors as apply_sensors
+from .recordings import find_laps as find_laps
 from .recordings import read_columns as read_columns
 from .recordings import read_recording as read_recording
 from .recordings import to_pandas as to_pandas

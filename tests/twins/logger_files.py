@@ -99,7 +99,9 @@ def ld_file(
     for number, (name, unit, rate, kind, values) in enumerate(channels):
         shift, multiplier, scale, decimals = (numbers or {}).get(name, (0, 1, 1, 0))
         here = first + number * each
-        body = struct.pack(f"<{len(values)}{kinds[kind]}", *values)
+        code = kinds[kind]
+        stored = values if code in "fe" else [round(value) for value in values.tolist()]
+        body = struct.pack(f"<{len(values)}{code}", *stored)
         metas += struct.pack(
             "<IIIIHHHHhhhh32s8s12s40x",
             here - each if number else 0,

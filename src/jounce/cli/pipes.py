@@ -39,6 +39,7 @@ _BEGINS = {
     b"MDF ": ".mf4",
     b"MATLAB": ".mat",
     b"TDSm": ".tdms",
+    b"FORMAT": ".rsp",
     b"<": ".xml",
     b"{": ".json",
 }

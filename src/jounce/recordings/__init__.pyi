@@ -6,6 +6,7 @@ from .files import read_recording as read_recording
 from .files import to_pandas as to_pandas
 from .files import write_recording as write_recording
 from .files import write_rpc as write_rpc
+from .laps import find_laps as find_laps
 from .measuring import apply_sensors as apply_sensors
 from .quality import check_channels as check_channels
 from .quality import check_time as check_time

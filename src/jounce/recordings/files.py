@@ -792,8 +792,8 @@ def write_rpc(
     Returns
     -------
     dict of str to float
-        Largest rounding error of each channel, in its unit: for integers at most half of the channel's largest
-        magnitude / 32752, in single precision at most 6e-8 of the number.
+        Largest rounding error of each channel, in its SI unit (that of the channel): for integers at most half of its
+        largest magnitude / 32752, in single precision at most 6e-8 of the number.
 
     Raises
     ------

@@ -23,6 +23,7 @@ from jounce.core.markup import parse_xml
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import check_size, surplus
+from jounce.recordings.laps import beacon_attributes
 
 _MARK = 0x40
 _CHANNEL = struct.Struct("<4I4H4h32s8s12s")
@@ -244,17 +245,3 @@ def _beacons(path: Path) -> tuple[dict[str, object], list[Finding]]:
         reason = f"no {error}" if isinstance(error, KeyError) else str(error)
         return {}, [finding("recordings.no_beacons", str(beside), reason=reason)]
     return beacon_attributes(markers), []
-
-
-def beacon_attributes(markers: list[tuple[float, str]]) -> dict[str, object]:
-    """Return ``beacons`` (s, ascending) and ``beacon_names``; nothing without a finite instant.
-
-    >>> beacon_attributes([(90.5, "Lap 2"), (1.25, "Lap 1")])
-    {'beacons': array([ 1.25, 90.5 ]), 'beacon_names': 'Lap 1; Lap 2'}
-    """
-    ordered = sorted((time, name) for time, name in markers if abs(time) < 1e9)
-    if not ordered:
-        return {}
-    names = "; ".join(name.replace(";", ",") for _, name in ordered)
-    attributes: dict[str, object] = {"beacons": np.array([time for time, _ in ordered])}
-    return attributes | ({"beacon_names": names} if names.strip("; ") else {})

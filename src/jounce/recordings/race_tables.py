@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import re
 
-from jounce.recordings.motec import beacon_attributes
+from jounce.recordings.laps import beacon_attributes
 
 _AIM = "aim csv file"
 _MOST_LINES, _LONGEST_LINE = 60, 100_000

@@ -882,7 +882,7 @@ def _read_sst(path: Path, options: ReaderOptions) -> SignalTable:
         content = path.read_bytes()
     size = _SST_HEAD.size
     signature, version, rate, _, began = _SST_HEAD.unpack(content[:size].ljust(size, b"\0"))
-    if (signature, version) != (b"SST", 3) or not rate:
+    if (signature, version) != (b"SST", 3) or not rate or len(content) < size:
         raise RecordingError(
             "not a file of Sufni telemetry of version 3",
             where=str(path),

@@ -85,7 +85,7 @@ def read_rpc(path: Path) -> TimeHistory:
     if samples < held:
         columns = [column if column.fault else _shortened(column, samples) for column in columns]
     begin = _number(keywords, "JOUNCE.START", path) if "JOUNCE.START" in keywords else 0.0
-    time = begin + _instants(samples, layout.step)
+    time = np.asarray(begin + np.arange(samples) * layout.step, dtype=float)
     attributes = {
         name: keywords[key]
         for key, name in (("DATE", "date"), ("OPERATION", "operation"), ("TIME_TYPE", "time_type"))
@@ -94,14 +94,6 @@ def read_rpc(path: Path) -> TimeHistory:
     return TimeHistory(
         (Column("time", "s", time, str(path)), *columns), attributes, (*findings, *remarks)
     )
-
-
-def _instants(samples: int, step: float) -> Array:
-    """Return multiples of the step; of a whole number of Hz without the rounding error of its step."""
-    rate = round(1.0 / step) if step < 1.0 else 0
-    if rate and 1.0 / rate == step:
-        return np.asarray(np.arange(samples) / rate, dtype=float)
-    return np.asarray(np.arange(samples) * step, dtype=float)
 
 
 @dataclass(frozen=True)
@@ -290,7 +282,10 @@ def _binary(
     findings: list[Finding] = []
     groups, last = layout.groups, width
     if here < layout.groups * of_group:
-        is_short = short <= here < short + _BLOCK // dtype.itemsize and tail < width
+        is_short = tail < width and size - start in (
+            short * dtype.itemsize,
+            -(-short * dtype.itemsize // _BLOCK) * _BLOCK,  # the file ends with a whole block
+        )
         last = tail if is_short else width
         groups = layout.groups if is_short else here // of_group
         if is_short:
@@ -298,9 +293,8 @@ def _binary(
         points = points if is_short else min(points, groups * width)
         findings += announcement("FRAMES", layout.points, points, str(path))
     else:
-        block = _BLOCK // dtype.itemsize  # the file may end with a whole block
-        known = -(-layout.groups * of_group // block) * block
-        findings += surplus(start + known * dtype.itemsize, size, str(path))
+        known = -(-layout.groups * of_group * dtype.itemsize // _BLOCK) * _BLOCK
+        findings += surplus(start + known, size, str(path))
     check_size(points * layout.channels, str(path))
     raw = [np.empty(0 if isinstance(scale, RecordingError) else points) for scale in scales]
     stream.seek(start)

@@ -12,6 +12,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +23,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.core.units import is_unit
-from jounce.recordings.motec import beacon_attributes
+from jounce.recordings.laps import beacon_attributes
 
 _SECTION = re.compile(r"\[([^\[\]]{1,60})\]\s*")
 _USUAL = {
@@ -87,9 +88,8 @@ def _sections(lines: Sequence[str]) -> dict[str, tuple[int, int]]:
         for i, line in enumerate(lines)
         if line[:1] == "[" and (match := _SECTION.fullmatch(line.strip()))
     ]
-    ends = [i for i, _ in heads[1:]] + [len(lines)]
     sections = dict[str, tuple[int, int]]()
-    for (i, name), end in zip(heads, ends, strict=True):
+    for (i, name), (end, _) in pairwise([*heads, (len(lines), "")]):
         sections.setdefault(name, (i + 1, end))
     return sections
 

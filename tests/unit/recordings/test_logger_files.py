@@ -57,7 +57,7 @@ def test_rpc_of_every_layout(tmp_path: Path, form: str, kind: str, frame: int, g
     within = 0.5 * SCALES[0] * 1e-3 if scales else 6e-8 * 12.3e-3
     np.testing.assert_allclose(run["strut.stroke"], 1e-3 * STROKE, rtol=0.0, atol=1.001 * within)
     np.testing.assert_allclose(run["strut.force"], 1e3 * FORCE, rtol=0.0, atol=1e3 * SCALES[1])
-    np.testing.assert_array_equal(run["time"], TIME)
+    np.testing.assert_allclose(run["time"], TIME, rtol=0.0, atol=1e-15)
     assert run.attrs["date"] == "22-Feb-2000 10:20:11"
 
 
@@ -320,6 +320,9 @@ def test_motec_channels_of_two_rates_and_laps(tmp_path: Path) -> None:
     assert (run.attrs["driver"], run.attrs["venue"]) == ("A. Driver", "Interlagos")
     np.testing.assert_allclose(run.attrs["beacons"], [0.25, 1.5])
     assert run.attrs["beacon_names"] == "Lap 1; Lap 2"
+    np.testing.assert_allclose(jn.find_laps(run), [[0.25, 1.5]])
+    again, _ = read_recording(jn.write_recording(run, tmp_path / "again.nc"))
+    np.testing.assert_allclose(jn.find_laps(again), [[0.25, 1.5]])
 
 
 def test_motec_markers_that_cannot_be_read_are_a_finding(tmp_path: Path) -> None:
@@ -372,7 +375,8 @@ def test_motec_damaged_channels(tmp_path: Path) -> None:
     assert "Damper Pos FL" in " ".join(map(str, findings))
     for k in range(1, 4):
         content = replaced(content, first + 124 * k + 8, first)  # all read the same bytes
-    file.write_bytes(replaced(content, first + 124 + 12, 700))
+    content = replaced(content, first + 2 * 124 + 12, 900)
+    file.write_bytes(replaced(content, first + 124 + 12, 900))
     with pytest.raises(RecordingError, match=r"channels share the same bytes|no channel"):
         read_signals(file, ReaderOptions())
 
@@ -491,6 +495,15 @@ def test_vbo_cut_off_row_and_degrees_are_reported(tmp_path: Path) -> None:
     )
 
 
+def test_laps_are_whole_and_within_the_recording() -> None:
+    run = jn.recording(TIME, {"body.speed": (30.0 + TIME, "m/s", "")})
+    with pytest.raises(RecordingError, match=r"the recording has no lap markers.*Set them"):
+        jn.find_laps(run)
+    laps = jn.find_laps(run.assign_attrs(beacons=[-1.0, 0.5, 0.5, 1.5, 7.0]))
+    assert laps.tolist() == [[0.5, 1.5]]
+    assert jn.find_laps(run.assign_attrs(beacons=0.5)).shape == (0, 2)
+
+
 # --- tables of AiM and Race Technology
 
 
@@ -551,7 +564,7 @@ def test_sst_counts_become_strokes_by_sensors(tmp_path: Path) -> None:
         b"SSX" + content[3:],
         content[:3] + b"\4" + content[4:],
         content[:4] + b"\0\0" + content[6:],
-        b"SST",
+        content[:15],
     ):
         file.write_bytes(bad)
         with pytest.raises(RecordingError, match="not a file of Sufni telemetry of version 3"):
