@@ -22,6 +22,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.markup import parse_xml
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
+from jounce.core.units import is_unit
 from jounce.recordings.hdf5 import check_size, surplus
 from jounce.recordings.laps import beacon_attributes
 
@@ -146,20 +147,27 @@ class _Channel:
 def _channels(
     content: bytes, place: int, path: Path, findings: list[Finding]
 ) -> Iterator[_Channel]:
-    """Follow the list of channels; a link to a channel already read, or out of the file, ends it with a problem."""
-    seen = set[int]()
+    """Follow the list of channels; a link to a channel already read, or out of the file, ends it with a problem.
+
+    Newer loggers write the unit into the field of the short name and leave the field of the unit empty.
+    """
+    seen, in_short = set[int](), list[str]()
     while place:
         is_loop = place in seen or len(seen) > len(content) // _SPACE
         if is_loop or place + _CHANNEL.size > len(content):
             code = "recordings.list_loops" if is_loop else "recordings.list_ends"
             findings.append(finding(code, str(path), place, place=place, count=len(seen)))
-            return
+            break
         seen.add(place)
         (_, following, offset, count, _, family, width, rate, shift, multiplier, scale, decimals, name,
          short, unit) = _CHANNEL.unpack_from(content, place)  # fmt: skip
+        own, own_short, own_unit = _text(name), _text(short), _text(unit)
+        if not own_unit and own_short and is_unit(own_short):
+            own_unit = own_short
+            in_short.append(own)
         yield _Channel(
-            _text(name) or _text(short) or f"channel {len(seen)}",
-            _text(unit),
+            own or own_short or f"channel {len(seen)}",
+            own_unit,
             rate,
             offset,
             count,
@@ -170,6 +178,9 @@ def _channels(
             decimals,
         )
         place = following
+    if in_short:
+        names = ", ".join(in_short)
+        findings.append(finding("recordings.units_in_short_names", str(path), names=names))
 
 
 def _column(name: str, channel: _Channel, numbers: np.ndarray[Any, Any], path: Path) -> Column:

@@ -406,9 +406,22 @@ def _flat_samples(values: Array, limit: float, jump: float) -> int:
 def _runs(values: Array, fewest: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Return start and end (exclusive) of each run of equal samples within the record, except at its ends."""
     is_equal = values[1:] == values[:-1]
-    if np.count_nonzero(is_equal) < fewest - 1:
+    if not _has_run(is_equal, fewest - 1):
         return np.empty(0, np.intp), np.empty(0, np.intp)
     edges = np.flatnonzero(~is_equal) + 1
     starts, ends = edges[:-1], edges[1:]
     long = ends - starts >= fewest
     return starts[long], ends[long]
+
+
+def _has_run(flags: NDArray[np.bool_], length: int) -> bool:
+    """Whether that many flags in a row are set, anywhere.
+
+    >>> [_has_run(np.array([True, True, True, False, True]), length) for length in (3, 4)]
+    [True, False]
+    """
+    together = 1
+    while together < length and flags.size:
+        step = min(together, length - together)
+        flags, together = flags[:-step] & flags[step:], together + step
+    return bool(flags.any())

@@ -340,6 +340,17 @@ def test_motec_markers_that_cannot_be_read_are_a_finding(tmp_path: Path) -> None
     assert "no_beacons" not in codes(findings)
 
 
+def test_motec_units_in_the_field_of_short_names_are_taken_with_a_note(tmp_path: Path) -> None:
+    file, unit = tmp_path / "outing.ld", 1762 + 64
+    content = logger_files.ld_file([(*LD[0][:1], "", *LD[0][2:]), LD[1]])
+    file.write_bytes(content)
+    assert read_signals(file, ReaderOptions()).columns[1].unit == ""
+    file.write_bytes(content[:unit] + b"mm".ljust(8, b"\0") + content[unit + 8 :])
+    run, findings = read_recording(file, columns=MAPPED)
+    assert codes(findings) == ["units_in_short_names"]
+    np.testing.assert_allclose(run["front_left.strut.stroke"], 1e-3 * STROKE, rtol=1e-6, atol=1e-9)
+
+
 def replaced(content: bytes, at: int, value: int, width: int = 4) -> bytes:
     return content[:at] + value.to_bytes(width, "little") + content[at + width :]
 
