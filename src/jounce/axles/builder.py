@@ -12,6 +12,7 @@ from jounce.axles.assembly import GROUND, STEP, Assembly, Law, Numbers, across, 
 from jounce.kernel import equilibrium as eq
 from jounce.parts import Corner
 from jounce.parts.axles import DependentAxle
+from jounce.parts.elements import AntiRollBar, CoilSpring
 
 SIDES = ("left", "right")
 LEFT = np.array([[0.0], [1.0], [0.0]])
@@ -34,7 +35,9 @@ class AxleBuilder(ABC):
         self.carried: dict[str, int] = {}  # body of each hardpoint; others stay with the car's body
         self.upright: dict[str, int] = {}
         self.steering_axis: dict[str, tuple[tuple[int, Numbers], tuple[int, Numbers]]] = {}
-        self.left_out: list[str] = []
+        self.bar_tilt = (
+            0.0  # rad, of the axes of a bar's halves: its law is exact for small angles then
+        )
         self.side = "left"
         self.steered = False
         self.read: dict[str, None] = {}  # paths of all numbers that the axle is built from
@@ -228,18 +231,8 @@ class AxleBuilder(ABC):
         on, strut = self.carrier(rig.strut.on), rig.strut
         spring, damper = (self._ends(element, on) for element in ("spring", "damper"))
         points = self.point("spring_bottom"), self.point("spring_top")
-        design = length(points[1] - points[0])
         if "spring" not in rig.without:
-            law, path = strut.spring, "strut.spring"
-            self.assembly.line(
-                self.called("spring"),
-                *spring,
-                points,
-                rate=0.0 if law.rate is None else self.number(f"{path}.rate"),
-                zero=design if law.free_length is None else self.number(f"{path}.free_length"),
-                preload=0.0 if law.preload is None else self.number(f"{path}.preload"),
-                law=None if law.curve is None else _law(law.curve),
-            )
+            self._add_coil(self.called("spring"), strut.spring, "strut.spring", spring, points)
         for name, sign in (("bump_stop", 1.0), ("rebound_stop", -1.0)):
             stop = getattr(strut, name)
             if stop is not None:
@@ -320,36 +313,115 @@ class AxleBuilder(ABC):
         return wheel
 
     def add_bar(self) -> None:
-        """Add the anti-roll bar: two halves about one axis, and a link on each side."""
+        """Add the anti-roll bar: two halves about their axes and a link on each side, or the stem of a T-bar."""
         bar = self.rig.anti_roll_bar
         if bar is None:
             return
-        if bar.kind != "u":
-            self.left_out.append("anti_roll_bar")
+        if bar.kind == "t":
+            self._add_stem(bar)
             return
-        halves: list[int] = []
+        halves, tilt = [], 1.0 + 0.0 * self.number("anti_roll_bar.stiffness")
         for side in SIDES:
             self.side = side
             half, pivot = self.own("arb"), self.point("arb_pivot")
             self.carry(half, "arb_pivot", "arb_axis")
-            axis = LEFT + 0.0 * pivot
-            if self.has("arb_axis"):
-                axis = unit(self.point("arb_axis") - pivot)
-                axis = axis * np.sign(axis[1].real)
-            holder = self.holder("arb_pivot")
+            axis, holder = self._bar_axis(pivot), self.holder("arb_pivot")
             if self.is_soft("arb_pivot"):
                 self.joint("arb_pivot", holder, half)
             else:
                 self.assembly.hinge(
                     self.called("arb"), (holder, holder), half, (pivot, pivot + 0.1 * axis)
                 )
+                tilt = axis[1]
+                self.bar_tilt = float(np.arccos(min(axis[1, 0].real, 1.0)))
             self.rod("arb_link", ("arb_arm_end", "arb_link_end"), (half, self.carrier(bar.on)))
             halves.append(half)
         left, right = halves
         middle = self.point("arb_pivot") * np.array([[1.0], [0.0], [1.0]])
         if self.is_soft("arb_pivot"):
             self.assembly.hinge("arb", (left, left), right, (middle, middle + 0.1 * LEFT))
-        self.assembly.twist("arb", left, right, LEFT + 0.0 * middle, self._bar_stiffness())
+        # The twist of halves on tilted axes is seen across the car: smaller by the cosine of the tilt, as its torque.
+        stiffness = self._bar_stiffness() / tilt**2
+        across = LEFT + 0.0 * middle
+        if bar.kind == "z":  # (a + b)^2 = 2 a^2 + 2 b^2 - (a - b)^2
+            holder = self.holder("arb_pivot")
+            for side, half in zip(SIDES, halves, strict=True):
+                self.assembly.twist(f"_{side}.arb", holder, half, across, 2.0 * stiffness)
+            stiffness = -stiffness
+        self.assembly.twist("_arb" if bar.kind == "z" else "arb", left, right, across, stiffness)
+
+    def _bar_axis(self, pivot: Numbers) -> Numbers:
+        """Return the axis of this side's half, pointing to the left."""
+        if not self.has("arb_axis"):
+            return LEFT + 0.0 * pivot
+        axis = unit(self.point("arb_axis") - pivot)
+        return np.asarray(axis * np.sign(axis[1].real))
+
+    def _add_stem(self, bar: AntiRollBar) -> None:
+        """Add a T-bar: a stem on a hinge across the car, twisted by the crossbar at its other end."""
+        self.side = self.rig.side
+        pivot, end = self.point("arb_pivot"), self.point("arb_axis")
+        stem, crossbar, holder = (
+            self.shared("arb_stem"),
+            self.shared("arb"),
+            self.holder("arb_pivot"),
+        )
+        if self.is_soft("arb_pivot"):
+            self.joint("arb_pivot", holder, stem)
+        else:
+            hinge = pivot, pivot + 0.1 * LEFT
+            self.assembly.hinge("arb_stem", (holder, holder), stem, hinge)
+        self.assembly.hinge("arb", (stem, stem), crossbar, (pivot, end))
+        for side in SIDES:
+            self.side = side
+            self.carry(stem, "arb_pivot", "arb_axis")
+            ends = "arb_arm_end", "arb_link_end"
+            self.rod("arb_link", ends, (crossbar, self.carrier(bar.on)))
+        self.assembly.twist("arb", stem, crossbar, end - pivot, self._bar_stiffness())
+
+    def add_third_spring(self) -> None:
+        """Add the third spring and the force of its damper at rest between both sides."""
+        third = self.rig.third_spring
+        if third is None:
+            return
+        bodies, points = [], []
+        for side in SIDES:
+            self.side = side
+            bodies.append(self.carrier(third.on))
+            points.append(self.point("third_spring_end"))
+            self.carry(bodies[-1], "third_spring_end")
+        left, right = bodies
+        self._add_coil(
+            "third_spring",
+            third.spring,
+            "third_spring.spring",
+            (left, right),
+            (points[0], points[1]),
+        )
+        if third.damper is not None:
+            forces = [third.damper.at_rest(float(d))[0] for d in _GAS]
+            if any(forces):
+                law = Law(eq.TABLE, (*_GAS, *forces), len(_GAS))
+                self.assembly.line("third_damper", left, right, (points[0], points[1]), law=law)
+
+    def _add_coil(
+        self,
+        name: str,
+        law: CoilSpring,
+        path: str,
+        bodies: tuple[int, int],
+        points: tuple[Numbers, Numbers],
+    ) -> None:
+        design = length(points[1] - points[0])
+        self.assembly.line(
+            name,
+            *bodies,
+            points,
+            rate=0.0 if law.rate is None else self.number(f"{path}.rate"),
+            zero=design if law.free_length is None else self.number(f"{path}.free_length"),
+            preload=0.0 if law.preload is None else self.number(f"{path}.preload"),
+            law=None if law.curve is None else _law(law.curve),
+        )
 
     def _bar_stiffness(self) -> Numbers:
         """Return the stiffness of the bar with its blades in series, N m/rad of twist."""
@@ -360,11 +432,15 @@ class AxleBuilder(ABC):
             self.number(f"anti_roll_bar.blade.{name}")
             for name in ("width", "thickness", "angle", "youngs_modulus")
         )
-        arm = self.point("arb_arm_end") - self.point("arb_pivot")
-        out = arm * np.array([[1.0], [0.0], [1.0]])
+        pivot = self.point("arb_pivot")
+        arm, axis = self.point("arb_arm_end") - pivot, self._bar_axis(pivot)
+        if bar.kind == "t":
+            axis = unit(self.point("arb_axis") - pivot)
+        out = arm - axis * np.sum(axis * arm, axis=0)
         flat, edge = width * thickness**3 / 12.0, thickness * width**3 / 12.0
         bent = np.cos(angle) ** 2 / flat + np.sin(angle) ** 2 / edge
-        return np.asarray(1.0 / (1.0 / stiffness + 2.0 * length(out) / (3.0 * modulus) * bent))
+        count = 0.5 if bar.kind == "t" else 2.0  # arms that bend for its twist
+        return np.asarray(1.0 / (1.0 / stiffness + count * length(out) / (3.0 * modulus) * bent))
 
 
 def _law(curve: Any) -> Law:

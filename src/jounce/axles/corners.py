@@ -47,8 +47,7 @@ class BuiltAxle(AxleBuilder):
             self._add_torsion_bar()
             self.add_wheel()
         self.add_bar()
-        if rig.third_spring is not None:
-            self.left_out.append("third_spring")
+        self.add_third_spring()
 
     def _add_subframe(self) -> None:
         frame = self.rig.subframe

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 _APPROACH = 5e-3  # m: step of pads and rack on the way to the state of a test
 _FEWEST, _MOST = 5, 100_001  # samples of a loop
+_TILTED = 0.09  # rad: tilt of an anti-roll bar's halves from which its law is not exact
 _BEYOND = 1e-9  # of a table's range: rounding
 _NO_SEEDS = eq.Seeds(np.zeros((0, 2), dtype=np.int64), np.zeros((0, eq.WIDTH)))
 Held = Literal["load", "height"]
@@ -243,7 +244,9 @@ class Laboratory:
         settled, space = self._follow(*path, self.state.start)
         if self.has_friction and (settled.outcome == eq.SETTLED).all():
             settled, _ = self._follow(*path, self._reached(space))
-        findings = [finding("kc.left_out", name) for name in self.axle.left_out]
+        tilt = self.axle.bar_tilt
+        findings = [finding("kc.bar_tilted", "anti_roll_bar", tilt, angle=tilt)]
+        findings = findings if tilt > _TILTED else []
         reached = settled.outcome == eq.SETTLED
         if not reached.all():
             if reached.sum() < 2:

@@ -203,6 +203,8 @@ def _keep_elements(poses: Poses, keep: Any) -> None:
     forces = poses.settled.forces.reshape(len(poses.settled.forces), -1, 6)
     for i, element in enumerate(assembly.elements):
         name = element.name
+        if name.startswith("_"):  # one of several that are a part together
+            continue
         if element.kind == eq.BUSHING:
             for k, direction in enumerate(_DIRECTIONS):
                 keep(
