@@ -14,6 +14,7 @@ from time import sleep
 from typing import Any
 
 import h5netcdf
+import logger_files
 import numpy as np
 import pytest
 
@@ -136,6 +137,31 @@ def test_what_is_left_out_of_a_record_is_told_and_equal_names_are_told_apart(
     (told,) = found["left_out"]
     assert told.startswith("gaps.csv, line 3: column 'b [N]': not a finite number")
     assert set(RECORDS) == {suffix for known in READERS for suffix in known.suffixes}
+
+
+def test_files_of_loggers_and_test_rigs_are_opened(opened: Any, tmp_path: Path) -> None:
+    records, _ = opened
+    time = np.arange(400) / 200.0
+    wave = 12.0 * np.sin(9.0 * time)
+    rows = [
+        f"8 {100000 + t:010.3f} +3119.37 -00059.48 {90.0 + w:.3f}"
+        for t, w in zip(time, wave, strict=True)
+    ]
+    table = "".join(f"{t:.3f},{w:.6f}\n" for t, w in zip(time, wave, strict=True))
+    files = {
+        "a.rsp": logger_files.rpc_file([("Damper FL", "mm", wave)], 0.005, extra={"SAMPLES": 400}),
+        "a.ld": logger_files.ld_file([("Damper FL", "mm", 200, (7, 4), wave)]),
+        "a.vbo": logger_files.vbo_text(rows, names="sats time lat long velocity", titles=["a"]).encode(),
+        "a.sst": logger_files.sst_file(wave + 100.0, wave + 100.0, 200),
+        "aim.csv": f'"Format","AiM CSV File"\n"Venue","Fuji"\n\n"Time","Damper FL"\n"s","mm"\n\n{table}'.encode(),
+        "dl1.csv": f"Time (s),Damper FL (mm)\n{table}".encode(),
+    }  # fmt: skip
+    for name, content in files.items():
+        (tmp_path / name).write_bytes(content)
+        about = records.open(name).about
+        assert (about["count"], about["even"], about["unit"]) == (400, True, "s"), name
+        known = {channel["name"]: channel["unit"] for channel in about["channels"]}
+        assert known.get("Damper FL") == "mm" or {"velocity", "fork"} & set(known), name
 
 
 def test_a_file_that_cannot_be_read_is_told_without_its_folder() -> None:

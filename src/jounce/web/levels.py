@@ -40,7 +40,12 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
     from jounce.recordings.reader import ReaderOptions
     from jounce.recordings.readers import reader_of
 
-    read = reader_of(file).read(file, ReaderOptions()).tables
+    signals = reader_of(file).read(file, ReaderOptions())
+    if not any("time" in table.names for table in signals.tables):
+        from jounce.recordings.clocks import by_clock
+
+        signals, _ = by_clock(signals, "", None, bridges_gaps=False)  # 'Time [s]', as loggers write
+    read = signals.tables
     tables = [[channel for channel in table if channel.fault is None] for table in read]
     left_out = [
         str(channel.fault).replace(str(file), file.name)
