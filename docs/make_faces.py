@@ -87,12 +87,13 @@ def rig_schema() -> dict[str, Any]:
 
 
 def vehicle_schema() -> dict[str, Any]:
-    """Schema of a vehicle file: any of the models; a name can replace a corner of a 3-D car."""
+    """Schema of a vehicle file: any of the models; a name can replace a corner or an axle of a 3-D car."""
     schema: dict[str, Any] = TypeAdapter(reduce(or_, VEHICLES.values())).json_schema(by_alias=True)
     _complete_models(schema["$defs"], [*RIGS.values(), *VEHICLES.values()])
     axle = schema["$defs"]["SpatialAxle"]["properties"]
     name = {"type": "string", "description": "name of a shipped rig, or path of a rig file"}
-    axle["corner"] = {"anyOf": [name, axle["corner"]]}
+    for part in ("corner", "axle"):
+        axle[part] = {"anyOf": [name, axle[part]]}
     return {"$schema": DIALECT, "title": "jounce vehicle file", "required": ["schema"], **schema}
 
 

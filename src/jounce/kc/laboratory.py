@@ -344,7 +344,7 @@ def axle_of(axle: Rig, which: str | None) -> Corner | DependentAxle:
                 found=Phrase(str(which)),
                 allowed="front, rear",
             )
-        return (axle.front if which == "front" else axle.rear).corner
+        return (axle.front if which == "front" else axle.rear).suspension
     return check_corner(axle)
 
 

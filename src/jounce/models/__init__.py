@@ -47,11 +47,11 @@ def build(rig: Rig, *, detail: bool = False, actuator: AnyActuator | None = None
     builder = _BUILDERS.get(type(rig))
     if builder is None:
         raise DescriptionError(
-            "this axle does not run on roads yet",
+            "an axle without a car does not run on roads",
             where="rig",
             found=Phrase('model = "{model}"', model=getattr(rig, "model", type(rig).__name__)),
             allowed="a quarter car, a half or full car, or a 3-D corner",
-            hint="Test it on the K&C rig: jn.kc_test, or `jounce kc`.",
+            hint="Put it under a car (full-car-3d with [rear] axle), or test it by jn.kc_test.",
         )
     return _built.of(key, lambda: builder(rig, **options))
 

@@ -185,7 +185,9 @@ def bar_axis(linkage: DescribedSuspension) -> ca.SX:
     ends of its bar.
     """
     bar = linkage.rig.anti_roll_bar
-    if linkage.rig.hardpoints.arb_axis is None or (bar is not None and bar.kind == "t"):
+    if getattr(linkage.rig.hardpoints, "arb_axis", None) is None or (
+        bar is not None and bar.kind == "t"
+    ):
         return _LEFT
     along = unit(linkage.hardpoint("arb_axis") - linkage.hardpoint("arb_pivot"))
     return along * ca.if_else(along[1] < 0.0, -1.0, 1.0)

@@ -1,4 +1,4 @@
-"""Full car on four 3-D corners: the body heaves, pitches and rolls, its suspensions are mechanisms.
+"""Full car on 3-D corners or dependent axles: the body heaves, pitches and rolls, its suspensions are mechanisms.
 
 Driving loads act as on a real car: inertia of every body, and reacting forces at the contact patches, distributed in
 proportion to the wheel loads. A constraint against sliding and yawing takes the small remainder.
@@ -28,6 +28,7 @@ from jounce.models.attachments import (
     third_end,
     third_law,
 )
+from jounce.models.axles import build_axle
 from jounce.models.channels import (
     show_bushings,
     show_hardpoints,
@@ -80,13 +81,13 @@ def full_car_3d(
     frame = mechanism.moving_frame(body, drive - mechanism.gravity * _UP)
     axles = {name: getattr(vehicle, name) for name in _ENDS}
     wheels = [
-        _corner(mechanism, frame, name, axles[name], side, actuator, hang)
-        for name in axles
-        for side in _SIDES
+        wheel
+        for name, axle in axles.items()
+        for wheel in _axle(mechanism, frame, name, axle, actuator, hang)
     ]
     for pair, name in zip((wheels[:2], wheels[2:]), axles, strict=True):
         _anti_roll_bar(pair, mechanism.parameter(f"{name}.anti_roll_bar_rate"))
-        with mechanism.within(name, f"{name}.corner"):
+        with mechanism.within(name, f"{name}.{axles[name].part}"):
             _third_spring(mechanism, pair)
             _described_bar(mechanism, pair)
     _grip(mechanism, body, drive, wheels)
@@ -94,8 +95,11 @@ def full_car_3d(
         _show_detail(mechanism, wheels)
     # Apart from their linkages, axles hardly differ.
     alike = hang is not build_linkage or structure_of(axles["front"]) == structure_of(axles["rear"])
-    names = [(f"{name}_{side}", name) for name in axles for side in _SIDES]
-    mechanism.alike(names, [(0, 1, 2, 3)] if alike else [(0, 1), (2, 3)])
+    independent = [name for name, axle in axles.items() if axle.axle is None]
+    names = [(f"{name}_{side}", name) for name in independent for side in _SIDES]
+    pairs = [(2 * i, 2 * i + 1) for i in range(len(independent))]
+    if pairs:
+        mechanism.alike(names, [(0, 1, 2, 3)] if alike and len(pairs) > 1 else pairs)
     return mechanism.finish()
 
 
@@ -141,25 +145,42 @@ def _show_body(mechanism: Mechanism, height: ca.SX, pitch: ca.SX, roll: ca.SX) -
     show_turn(mechanism, "roll", roll)
 
 
-def _corner(
+def _axle(
     mechanism: Mechanism,
     frame: Body,
     name: str,
     axle: SpatialAxle,
-    side: str,
     actuator: AnyActuator | None,
     hang: Callable[..., Suspension],
-) -> _CornerOnRoad:
-    """Add a corner in the axes of the body, on its road."""
+) -> list[_CornerOnRoad]:
+    """Add both wheels of an axle in the axes of the body, on their roads."""
+    if axle.axle is not None:
+        sides = build_axle(axle.axle, mechanism, frame, name, _SIDES)
+        scopes = {side: (f"{name}_{side}", f"{name}.axle") for side in sides}
+        return [
+            _on_road(mechanism, scopes[side], linkage, actuator) for side, linkage in sides.items()
+        ]
+    assert axle.corner is not None
     distance = mechanism.parameter(f"{name}.distance")
-    scope = f"{name}_{side}", f"{name}.corner"
+    wheels = []
+    for side, sign in _SIDES.items():
+        scope = f"{name}_{side}", f"{name}.corner"
+        with mechanism.within(*scope):
+            end, turned = mechanism.constant("end", _ENDS[name]), mechanism.constant("side", sign)
+            ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
+            linkage = hang(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
+        wheels.append(_on_road(mechanism, scope, linkage, actuator))
+    return wheels
+
+
+def _on_road(
+    mechanism: Mechanism,
+    scope: tuple[str, str],
+    linkage: Suspension,
+    actuator: AnyActuator | None,
+) -> _CornerOnRoad:
+    """Add the road of a wheel, its strut and tyre, and its channels."""
     with mechanism.within(*scope):
-        end, turned = (
-            mechanism.constant("end", _ENDS[name]),
-            mechanism.constant("side", _SIDES[side]),
-        )
-        ahead = end * distance - mechanism.parameter("hardpoints.wheel_centre[0]")
-        linkage = hang(axle.corner, mechanism, frame, ahead=ahead, turned=turned)
         road = mechanism.track("road.z")
         mechanism.output("road.z", road.value, "m", "road height under the wheel")
         add_strut(linkage, actuator)

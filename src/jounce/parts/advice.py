@@ -411,14 +411,21 @@ def _check_vehicle(car: AnyVehicle) -> Iterator[Finding]:
         if not isinstance(
             axle, Axle | WheeledAxle
         ):  # axles of 3-D corners have no springs of their own
-            corner = axle.corner
-            for item in compliance_findings(corner):
-                yield at_place(f"{name}.corner.{item.place}", item)
-            weight = car.gravity * (mass + sum(body.mass for body in corner.body_masses().values()))
+            suspension, at = axle.suspension, f"{name}.{axle.part}"
+            if isinstance(suspension, DependentAxle):
+                if suspension.only_in_kc:
+                    names = ", ".join(suspension.only_in_kc)
+                    yield finding("parts.kc_only", at, names=names)
+                own = 0.5 * suspension.total_mass
+            else:
+                for item in compliance_findings(suspension):
+                    yield at_place(f"{at}.{item.place}", item)
+                own = sum(body.mass for body in suspension.body_masses().values())
+            assert suspension.tyre is not None
             yield from _check_deflection(
-                f"{name}.corner.tyre",
-                static_deflection(corner.tyre, weight),
-                _PRESSED * corner.wheel.radius,
+                f"{at}.tyre",
+                static_deflection(suspension.tyre, car.gravity * (mass + own)),
+                _PRESSED * suspension.wheel.radius,
             )
             continue
         if axle.spring_rate is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Literal, Self
+from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -11,10 +11,10 @@ from jounce.core.description import Description
 from jounce.core.misplaced import error_at
 from jounce.core.phrases import Phrase
 from jounce.core.units import Acceleration, PositiveRotationalStiffness
-from jounce.parts.bodies import Point
+from jounce.parts.bodies import Point, RigidBody
 from jounce.parts.bushings import Bushing, Link, WheelBearing
 from jounce.parts.corners import Wheel
-from jounce.parts.elements import AntiRollBar, SpatialStrut
+from jounce.parts.elements import AntiRollBar, CornerTyre, SpatialStrut
 from jounce.parts.points import SAME_POINT, Groups, NamedPoints, write_point
 from jounce.parts.rig import Rig
 
@@ -92,16 +92,23 @@ class AxleParts(Description):
     """Bushings or stiffnesses of links by the name of a hardpoint or link."""
 
 
+class AxleBodies(Description):
+    """Bodies with mass, wheels included; runs need them, the K&C rig and sweeps do not."""
+
+
 class DependentAxle(Rig):
     """Base of axles whose wheels are joined by a beam; forces and motions of one wheel move the other.
 
-    Units SI; x forward, y left, z up; all points in the design position. ``hardpoints`` are those of the left side.
+    Units SI; x forward, y left, z up; all points in the design position. ``hardpoints`` are those of the left side. An
+    axle of a car needs ``bodies`` and ``tyre``.
     """
 
     schema_: Literal["jounce.rig/1"] = Field(default="jounce.rig/1", alias="schema")
     gravity: Acceleration = GRAVITY
     wheel: Wheel
+    tyre: CornerTyre | None = None
     hardpoints: AxleHardpoints
+    bodies: AxleBodies | None = None
     strut: AxleStrut
     bushings: AxleParts
     links: AxleParts
@@ -114,6 +121,27 @@ class DependentAxle(Rig):
     third_spring: ClassVar[None] = None
     without: ClassVar[tuple[str, ...]] = ()
     has_strut: ClassVar[bool] = True
+    sign: ClassVar[float] = 1.0
+    bushed_in_runs: ClassVar[tuple[str, ...]] = ()
+    """Hardpoints whose bushings act in runs; the K&C rig knows all."""
+
+    @property
+    def lacks(self) -> tuple[str, ...]:
+        """Parts that a car on this axle needs and the description omits."""
+        return tuple(name for name in ("bodies", "tyre") if getattr(self, name) is None)
+
+    @property
+    def total_mass(self) -> float:
+        """Mass of the axle with both wheels, kg."""
+        raise NotImplementedError
+
+    @property
+    def only_in_kc(self) -> tuple[str, ...]:
+        """Bushings, stiffnesses and bearings that runs leave out."""
+        soft = [name for name in self._given("bushings") if name not in self.bushed_in_runs]
+        yielding = [f"links.{name}" for name in self._given("links")]
+        bearing = ["bearing"] if self.bearing is not None else []
+        return (*(f"bushings.{name}" for name in soft), *yielding, *bearing)
 
     @model_validator(mode="after")
     def _has_what_it_names(self) -> Self:
@@ -224,13 +252,37 @@ class SolidAxleLinks(AxleParts):
     arb_link: Link | None = None
 
 
+class SolidAxleBodies(AxleBodies):
+    """The ``axle`` with both wheels, and the ``watt_lever`` of a Watt linkage."""
+
+    axle: RigidBody
+    watt_lever: RigidBody | None = None
+
+
 class SolidAxle(DependentAxle):
     """Solid axle on two, three or four links, guided sideways by a Panhard rod, a Watt linkage or its upper links."""
 
     model: Literal["solid-axle"] = "solid-axle"
     hardpoints: SolidAxleHardpoints
+    bodies: SolidAxleBodies | None = None
     bushings: SolidAxleBushings = SolidAxleBushings()
     links: SolidAxleLinks = SolidAxleLinks()
+
+    bushed_in_runs = (
+        "lower_link_body",
+        "upper_link_body",
+        "panhard_body",
+        "watt_upper_body",
+        "watt_lower_body",
+    )
+
+    @property
+    def total_mass(self) -> float:
+        """Mass of the axle with both wheels, kg."""
+        bodies = self.bodies
+        if bodies is None:
+            return 0.0
+        return bodies.axle.mass + (0.0 if bodies.watt_lever is None else bodies.watt_lever.mass)
 
     @model_validator(mode="after")
     def _is_guided_once(self) -> Self:
@@ -240,6 +292,14 @@ class SolidAxle(DependentAxle):
                 ("hardpoints", "watt_pivot"),
                 "the axle is guided sideways twice, by a Panhard rod and a Watt linkage",
                 allowed="one of them",
+            )
+        if self.bodies is not None and (
+            (self.bodies.watt_lever is None) != (points.watt_pivot is None)
+        ):
+            raise error_at(
+                ("bodies", "watt_lever"),
+                "a Watt linkage and the mass of its lever belong together",
+                allowed="both of them, or none",
             )
         return self
 
@@ -296,11 +356,32 @@ class Beam(Description):
     torsional_stiffness: PositiveRotationalStiffness
 
 
+class TwistBeamBodies(AxleBodies):
+    """The left ``half`` with its wheel; the right one is its mirror image."""
+
+    half: RigidBody
+
+
 class TwistBeam(DependentAxle):
     """Twist-beam axle: two trailing halves on a beam that is stiff in bending and soft in torsion."""
 
     model: Literal["twist-beam"] = "twist-beam"
     hardpoints: TwistBeamHardpoints
+    bodies: TwistBeamBodies | None = None
     beam: Beam
     bushings: TwistBeamBushings = TwistBeamBushings()
     links: TwistBeamLinks = TwistBeamLinks()
+
+    bushed_in_runs = ("pivot",)
+
+    @property
+    def total_mass(self) -> float:
+        """Mass of the axle with both wheels, kg."""
+        return 0.0 if self.bodies is None else 2.0 * self.bodies.half.mass
+
+
+if TYPE_CHECKING:
+    AnyDependentAxle = DependentAxle
+else:
+    AnyDependentAxle = Annotated[SolidAxle | TwistBeam, Field(discriminator="model")]
+"""Any of the axles above, selected by ``model``."""

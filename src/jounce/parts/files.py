@@ -21,6 +21,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.text import in_one_line, quote
 from jounce.core.units import conversion_factor, to_si
 from jounce.core.writing import check_writable, write_atomically
+from jounce.parts.axles import DependentAxle
 from jounce.parts.corners import Corner, Hardpoints
 from jounce.parts.rig import (
     MODELS,
@@ -241,66 +242,70 @@ def rig_from_table(table: dict[str, Any], *, where: str = "", text: str = "") ->
 
 
 def _with_corners(table: dict[str, Any], where: str, text: str) -> dict[str, Any]:
-    """Return a vehicle's table with each ``corner`` name replaced by the table of its rig."""
+    """Return a vehicle's table with each name of a ``corner`` or ``axle`` replaced by the table of its rig."""
     vehicle = dict(table)
-    for axle in ("front", "rear"):
-        entry = table.get(axle)
-        if isinstance(entry, dict) and not isinstance(entry.get("corner", {}), dict):
-            line = line_of(text, (axle, "corner")) if text else None
-            place = below(at_line(where, line) if where else "", f"{axle}.corner")
-            vehicle[axle] = {
-                **entry,
-                "corner": _read_corner(
-                    entry["corner"], Path(where).parent if where else None, place
-                ),
-            }
+    for end in ("front", "rear"):
+        for part in _PARTS:
+            entry = vehicle.get(end)
+            if isinstance(entry, dict) and not isinstance(entry.get(part, {}), dict):
+                line = line_of(text, (end, part)) if text else None
+                place = below(at_line(where, line) if where else "", f"{end}.{part}")
+                folder = Path(where).parent if where else None
+                vehicle[end] = {**entry, part: _read_suspension(entry[part], folder, place, part)}
     return vehicle
 
 
-def _read_corner(name: Any, folder: Path | None, place: str) -> dict[str, Any]:
-    """Read the table of the corner that a vehicle names: a file in the vehicle's folder, any file, or a shipped rig."""
+_PARTS: dict[str, type[Rig]] = {"corner": Corner, "axle": DependentAxle}
+_NOT_THIS = {"corner": "not a 3-D corner", "axle": "not a solid axle or twist beam"}
+
+
+def _read_suspension(name: Any, folder: Path | None, place: str, part: str) -> dict[str, Any]:
+    """Read the table of the rig that a vehicle names: a file in the vehicle's folder, any file, or a shipped rig."""
     if not isinstance(name, str):
         raise DescriptionError(
-            "not a corner", where=place, found=repr(name), allowed=_shipped_corners()
+            "not a corner" if part == "corner" else _NOT_THIS[part],
+            where=place,
+            found=repr(name),
+            allowed=_shipped_suspensions(part),
         )
     file = folder / name if folder is not None else Path(name)
     if not file.is_file():
         file = library()[name] if name in library() else Path(name)
     if not file.is_file():
         raise DescriptionError(
-            "no such file, and no corner of that name in the library",
+            "no such file, and no corner of that name in the library"
+            if part == "corner"
+            else "no such file, and no axle of that name in the library",
             where=place,
             found=name,
-            allowed=_shipped_corners(),
+            allowed=_shipped_suspensions(part),
             hint=nearest(name, library()),
         )
     table, text = read_toml(file)
-    corners = _corner_models()
+    known = _models_of(part)
     if table.get("model") in {model for models in MODELS.values() for model in models}.difference(
-        corners
+        known
     ):
         model = f"{name}, model {table['model']!r}"
-        raise DescriptionError(
-            "not a 3-D corner", where=place, found=model, allowed=", ".join(corners)
-        )
+        raise DescriptionError(_NOT_THIS[part], where=place, found=model, allowed=", ".join(known))
     rig_from_table(
         table, where=str(file), text=text
-    )  # validate: errors refer to the corner's own file
+    )  # validate: errors refer to the rig's own file
     return table
 
 
-def _corner_models() -> list[str]:
-    """Return the models of rigs that can be the corner of a vehicle."""
-    return [name for name, rig in RIGS.items() if issubclass(rig, Corner)]
+def _models_of(part: str) -> list[str]:
+    """Return the models of rigs that can be a ``corner`` or an ``axle`` of a vehicle."""
+    return [name for name, rig in RIGS.items() if issubclass(rig, _PARTS[part])]
 
 
-def _shipped_corners() -> str:
-    """Describe the corners that a vehicle can refer to."""
-    models = _corner_models()
-    corners = [
+def _shipped_suspensions(part: str) -> str:
+    """Describe the rigs that a vehicle can refer to."""
+    models = _models_of(part)
+    rigs = [
         shipped for shipped, file in library().items() if read_toml(file)[0].get("model") in models
     ]
-    return f"a table, a .toml file from this file's folder, or one of {', '.join(corners)}"
+    return f"a table, a .toml file from this file's folder, or one of {', '.join(rigs)}"
 
 
 def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
@@ -456,9 +461,10 @@ def _rebase_corners(text: str, before: Path, after: Path) -> str:
         entry = document.get(axle)
         if not isinstance(entry, dict):
             continue
-        name = entry.get("corner")
+        part = "axle" if "axle" in entry else "corner"
+        name = entry.get(part)
         if isinstance(name, str) and (before / name).is_file():
-            entry["corner"] = Path(os.path.relpath(before / name, after)).as_posix()
+            entry[part] = Path(os.path.relpath(before / name, after)).as_posix()
     return tomlkit.dumps(document)
 
 

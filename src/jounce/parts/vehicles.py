@@ -22,8 +22,9 @@ from jounce.core.units import (
     PositiveStiffness,
     Unit,
 )
+from jounce.parts.axles import AnyDependentAxle, DependentAxle
 from jounce.parts.bodies import Point
-from jounce.parts.corners import AnyCorner
+from jounce.parts.corners import AnyCorner, Corner
 from jounce.parts.dampers import Damper, LinearDamper
 from jounce.parts.elements import BumpStop, Friction, Spring, Tyre, require_one
 from jounce.parts.rig import Rig
@@ -209,7 +210,7 @@ def track_width(rig: object) -> float:
     front, rear = (
         axle.track
         if isinstance(axle, FullAxle)
-        else 2.0 * abs(axle.corner.hardpoints.wheel_centre[1])
+        else 2.0 * abs(axle.suspension.hardpoints.wheel_centre[1])
         for axle in (rig.front, rig.rear)
     )
     return 0.5 * (front + rear)
@@ -273,52 +274,76 @@ class SpatialBody(RollingBody):
 
 
 class SpatialAxle(Description):
-    """Axle of two mirrored 3-D corners.
+    """Axle of two mirrored 3-D corners, or a solid axle or twist beam.
 
     Attributes
     ----------
     distance : float
         Distance of the wheel centres from the body's centre of gravity at design, m. Hardpoints are shifted along x.
-    corner : Corner
+    corner : Corner, optional
         The left corner; its ``sprung`` and ``guide`` are ignored. A file may also give the name of a shipped rig or the
         path of a rig file, relative to the vehicle file.
+    axle : DependentAxle, optional
+        A solid axle or a twist beam instead of corners, with ``bodies`` and ``tyre``; likewise by name or path.
     anti_roll_bar_rate : float
         Force on a wheel per metre of travel relative to the other wheel, N/m. Only for corners without a U- or T-bar,
         which act through their links; a Z-bar, which does not resist roll, may be combined with it.
     """
 
     distance: PositiveLength
-    corner: AnyCorner
+    corner: AnyCorner | None = None
+    axle: AnyDependentAxle | None = None
     anti_roll_bar_rate: NonNegativeStiffness = 0.0
 
+    @property
+    def suspension(self) -> Corner | DependentAxle:
+        """The corner, or the dependent axle."""
+        part = self.corner if self.axle is None else self.axle
+        assert part is not None
+        return part
+
+    @property
+    def part(self) -> str:
+        """Key of the suspension: ``"corner"`` or ``"axle"``."""
+        return "corner" if self.axle is None else "axle"
+
     @model_validator(mode="after")
-    def _is_left(self) -> Self:
-        if self.corner.side != "left":
+    def _is_complete(self) -> Self:
+        require_one(self, "corner", "axle")
+        if self.corner is not None and self.corner.side != "left":
             raise error_at(
                 ("corner", "side"),
                 "the corner of a car must be the left one",
                 allowed="the left corner; the right one is its mirror image",
             )
-        if self.corner.lacks:
+        if self.suspension.lacks:
+            lacks = ", ".join(self.suspension.lacks)
             raise error_at(
-                ("corner",),
+                (self.part,),
                 Phrase(
                     "the corner of a car needs all its parts, but this one has no {lacks}",
-                    lacks=", ".join(self.corner.lacks),
+                    lacks=lacks,
+                )
+                if self.axle is None
+                else Phrase(
+                    "the axle of a car needs all its parts, but this one has no {lacks}",
+                    lacks=lacks,
                 ),
             )
-        bar = self.corner.anti_roll_bar
+        bar = self.suspension.anti_roll_bar
         if bar is not None and bar.kind != "z" and self.anti_roll_bar_rate > 0.0:
             raise error_at(
                 ("anti_roll_bar_rate",),
-                "the corner also describes this bar, so its effect would be counted twice",
+                "the corner also describes this bar, so its effect would be counted twice"
+                if self.axle is None
+                else "the axle also describes this bar, so its effect would be counted twice",
                 allowed="one of them",
             )
         return self
 
 
 class FullCar3D(Vehicle):
-    """Full car on four 3-D corners: the body heaves, pitches and rolls on its suspensions but does not yaw or slide."""
+    """Full car on 3-D corners, solid axles or twist beams: the body heaves, pitches and rolls, without yaw or slip."""
 
     model: Literal["full-car-3d"] = "full-car-3d"
     body: SpatialBody

@@ -233,9 +233,10 @@ def car_reduction_of(rig: FullCar3D) -> CarReduction | None:
 
     def make() -> CarReduction | None:
         corners = {end: getattr(rig, end).corner for end in _ENDS}
-        if not all(corner.only_travels for corner in corners.values()):
+        known = {end: corner for end, corner in corners.items() if corner is not None}
+        if len(known) < len(corners) or not all(corner.only_travels for corner in known.values()):
             return None
-        return CarReduction(rig, {end: _sampling(corner) for end, corner in corners.items()})
+        return CarReduction(rig, {end: _sampling(corner) for end, corner in known.items()})
 
     return _reductions.of(structure_of(rig), make)
 

@@ -45,7 +45,12 @@ def sketch(rig: Rig | Vehicle) -> str:
     '<svg xmlns="http://www.w3.or'
     """
     if isinstance(rig, FullCar3D):
-        scene = scene_of(rig.front.corner)
+        rig = next(
+            (end.corner for end in (rig.front, rig.rear) if end.corner), rig.front.suspension
+        )
+        if isinstance(rig, DependentAxle):
+            return _picture(_axle(rig))
+        scene = scene_of(rig)
         return _picture([*_mechanism(scene, mirrored=True), *_mechanism(scene)])
     if isinstance(rig, Corner):
         return _picture(_mechanism(scene_of(rig)))
