@@ -187,7 +187,7 @@ def test_alignment_by_correlation_shows_its_trust(page: Any, workbench: tuple[Pa
     page.get_by_label("Add a recording").select_option("second.csv")
     page.get_by_text("Align two recordings").click()
     form = page.locator(".aligning")
-    form.get_by_label("Channel").select_option("sprung.az")
+    form.get_by_label("Channel that stays").select_option("sprung.az")
     form.get_by_role("button", name="Align").click()
     form.get_by_text("Shifted by −1.500").wait_for()
     assert "Correlation 1.00" in form.locator(".state").inner_text() or "0.99" in form.inner_text()
@@ -345,7 +345,7 @@ def test_recordings_are_aligned_along_a_distance(page: Any, workbench: tuple[Pat
     page.get_by_text("Align two recordings").click()
     form = page.locator(".aligning")
     form.get_by_text("Largest shift [m]").wait_for()
-    form.get_by_label("Channel").select_option("sprung.az")
+    form.get_by_label("Channel that stays").select_option("sprung.az")
     form.get_by_role("button", name="Align").click()
     form.get_by_text(re.compile(r"Shifted by −(29|30|31)\.\d+ m\.")).wait_for()
     assert float(page.get_by_label("shift of second.csv").input_value()) == pytest.approx(

@@ -13,9 +13,8 @@ TOKEN = "a-token-of-protocols"
 
 def saved(page: Any) -> bytes:
     """Save the last protocol of the page as PDF."""
-    page.get_by_title("Save this document").last.click()
     with page.expect_download() as download:
-        page.get_by_role("button", name="PDF document").last.click()
+        page.get_by_role("button", name="Save as PDF").last.click()
     return Path(download.value.path()).read_bytes()
 
 

@@ -24,7 +24,7 @@ from jounce.core.types import Array
 from jounce.core.units import conversion_factor, is_unit_of
 from jounce.recordings.schema import quantity_of
 
-Lack = Literal["unit", "speed", "pressure", "sign", "channel"]
+Lack = Literal["unit", "speed", "pressure", "sign", "channel", "road"]
 _BINS, _MOST_COLUMNS = 60, 40
 """Number of pairs of values in a small curve; maximum number of columns listed."""
 _USUAL = {"displacement": "mm", "force": "N"}
@@ -244,6 +244,9 @@ def _preview(
     fields = _fields(item, table, rows)
     if item.kind == "trial" and "speed" not in fields:
         missing.append(Missing("speed"))
+    row = rows.get(item.number) if item.kind == "trial" and item.number is not None else None
+    if row is not None and row.taken_for_one:
+        missing.append(Missing("road", row.taken_for_one))
     if item.kind == "tyre" and "pressure" not in fields:
         missing.append(Missing("pressure"))
     columns = tuple(

@@ -156,7 +156,9 @@ _PART_OF_A_WORD = 5
 """Minimum length of a word that may match within another, as in Reifendruck; shorter words must match entirely."""
 _TRAIN = 5
 """Number of obstacles of the paper's profile B."""
-_TRAINS = r"\s*(B|train|five|5|series?|reihe|seria|trem|tren)\b"
+_TRAINS = r"\s*(B(?=\s*[\d(])|(B|train|five|5|series?|reihe|seria|trem|tren)\b)"
+_WIDEST = 3.0
+"""Greatest pitch, in m, of a number without a unit: the 10 of "B10" are hardly metres."""
 _SINGLE = r"\s*(A|1|one|single\b.*)?\s*"
 
 
@@ -353,7 +355,7 @@ def _trial(cells: dict[str, str], units: dict[str, str], where: str) -> TrialRow
     if train:
         values["count"] = _TRAIN
         inside = re.search(r"(\d*\.\d+|\d+)\s*(mm|cm|m)?\s*\)?\s*$", profile[train.end() :])
-        if inside and "pitch" not in values:
+        if inside and "pitch" not in values and (inside[2] or float(inside[1]) <= _WIDEST):
             values["pitch"] = _size(f"{inside[1]} {inside[2] or 'm'}", "m", "m", where)
         if "pitch" not in values:
             raise RecordingError(

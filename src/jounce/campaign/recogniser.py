@@ -27,7 +27,15 @@ from jounce.recordings.readers import READERS, read_signals
 from jounce.recordings.schema import place_of
 
 Kind = Literal[
-    "spring", "tyre", "decay", "trial", "calibration", "table of trials", "settings", "unknown"
+    "spring",
+    "tyre",
+    "decay",
+    "trial",
+    "tester record",
+    "calibration",
+    "table of trials",
+    "settings",
+    "unknown",
 ]
 _FEW_ROWS = 60
 """Maximum number of rows of a handwritten table, and minimum number of samples of a trial."""
@@ -50,6 +58,8 @@ _HEADER = 4000
 """Number of characters at the beginning of a file that are searched for its sample rate."""
 _USUAL_RATES = (50.0, 200e3)
 """Usual sample rates in Hz; they distinguish seconds from milliseconds if a time column has no unit."""
+_OF_A_PLATE = ("plate.force", "plate.z")
+"""Ends of the names of a shock-absorber tester's channels: left.plate.force."""
 _FALLS = 0.5
 """Maximum motion in the later quarters of a free decay, as a fraction of the motion in the first quarter."""
 
@@ -63,7 +73,8 @@ class RecognisedFile(Shown):
     file : Path
         The file.
     kind : str
-        ``spring``, ``tyre``, ``decay``, ``trial``, ``calibration``, ``table of trials``, ``settings`` or ``unknown``.
+        ``spring``, ``tyre``, ``decay``, ``trial``, ``tester record`` (of a shock-absorber tester), ``calibration``,
+        ``table of trials``, ``settings`` or ``unknown``.
     why : str
         Reason for the recognised kind.
     columns : dict
@@ -303,6 +314,9 @@ def _of_signals(
     file: Path, seconds: Array, signals: list[Column], settings: Laboratory | None
 ) -> RecognisedFile:
     """Distinguish trials from free decays by the shape of their signals over time (s)."""
+    plates = [column.label for column in signals if column.name.endswith(_OF_A_PLATE)]
+    if plates:
+        return RecognisedFile(file, "tester record", f"signals of a tester: {', '.join(plates)}")
     pulses = [column for column in signals if _has_pulses(seconds, column.values)]
     moving = [column for column in signals if column not in pulses]
     is_driven = any(place_of(column.name).startswith("unsprung") for column in moving)

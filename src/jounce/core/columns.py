@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import compress
 from pathlib import Path
@@ -20,7 +20,7 @@ from jounce.core.phrases import Phrase
 from jounce.core.plain_rows import parse_plain_rows
 from jounce.core.text import unguard_formula
 from jounce.core.types import Array
-from jounce.core.units import LARGEST, conversion_factor, is_unit
+from jounce.core.units import LARGEST, conversion_factor, is_unit, is_unit_of
 from jounce.core.waiting import Stage, report_work
 
 _DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
@@ -545,6 +545,28 @@ def names_time(name: str) -> bool:
     [True, True, True, True, True, False, False]
     """
     return _TIME_WORDS.fullmatch(name.strip()) is not None
+
+
+def time_column(columns: Iterable[Column]) -> Column | None:
+    """Return the column that is the time: named ``time``, else by a word for it or by its unit; one that ascends first.
+
+    >>> import numpy as np
+    >>> lap, clock = (Column(name, "s", np.array(v)) for name, v in (("Lap Time", [1.0, 0.0]), ("Time", [0.0, 1.0])))
+    >>> time_column([lap, clock]).name, time_column([lap]).name, time_column([])
+    ('Time', 'Lap Time', None)
+    """
+    usable = [column for column in columns if column.fault is None]
+    named = next((column for column in usable if column.name == "time"), None)
+    if named is not None:
+        return named
+    timed = [
+        column
+        for column in usable
+        if (column.unit and is_unit_of(column.unit, "s"))
+        or (names_time(column.name) and not column.unit)
+    ]
+    ascending = (column for column in timed if bool(np.all(np.diff(column.values) > 0.0)))
+    return next(ascending, timed[0] if timed else None)
 
 
 def _is_missing(cell: str) -> bool:

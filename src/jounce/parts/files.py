@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import textwrap
@@ -308,8 +309,11 @@ def _shipped_suspensions(part: str) -> str:
     return f"a table, a .toml file from this file's folder, or one of {', '.join(rigs)}"
 
 
-def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
-    """Write new values (SI, by path) into the text of a rig file; comments and all other text remain unchanged."""
+def changed_text(text: str, rig: Rig, values: dict[str, float], *, rounding: float = 0.0) -> str:
+    """Write new values (SI, by path) into the text of a rig file; comments and all other text remain unchanged.
+
+    A value is written in the unit of the file if it is read again to the last bit, or within a relative ``rounding``.
+    """
     document = tomlkit.parse(text)
     known = rig.parameters()
     for path, value in values.items():
@@ -327,7 +331,7 @@ def changed_text(text: str, rig: Rig, values: dict[str, float]) -> str:
                     rig_text(reduce(getattr, map(str, parents[: i + 1]), rig))
                 )
             here = here[part]
-        here[last] = _as_before(here, last, value, unit_of(rig, path))
+        here[last] = _as_before(here, last, value, unit_of(rig, path), rounding)
     return tomlkit.dumps(document)
 
 
@@ -476,7 +480,7 @@ def _write_default(rig: Rig, parents: list[str | int]) -> Any:
     return [_quantity(known[path], unit_of(rig, path)) for path in values] or tomlkit.inline_table()
 
 
-def _as_before(here: Any, key: str | int, value: float, unit: str) -> float | str:
+def _as_before(here: Any, key: str | int, value: float, unit: str, rounding: float) -> float | str:
     """Format a value in the unit used in the file."""
     try:
         before = here[key]
@@ -490,7 +494,8 @@ def _as_before(here: Any, key: str | int, value: float, unit: str) -> float | st
     except DescriptionError:
         return _quantity(value, unit)
     text = f"{float(value) / factor:.12g} {match[1]}"
-    return text if to_si(text, unit) == value else _quantity(value, unit)  # to the last bit
+    is_same = math.isclose(to_si(text, unit), value, rel_tol=rounding)
+    return text if is_same else _quantity(value, unit)
 
 
 def _quantity(value: float, unit: str) -> float | str:

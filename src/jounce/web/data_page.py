@@ -50,7 +50,8 @@ class WindowRequest(_Asked):
 class AlignRequest(_Asked):
     """A recording to be shifted onto another, by their numbers in the layout, with a channel of both.
 
-    ``level`` of a rise or a fall is in the unit of the channel in the reference, ``maximum_shift`` in that of the axis.
+    ``moved_channel`` is the channel of the shifted recording if its name differs. ``level`` of a rise or a fall is in
+    the unit of the channel in the reference, ``maximum_shift`` in that of the axis.
     """
 
     reference: int = Field(ge=0, lt=MOST_RECORDINGS)
@@ -59,6 +60,7 @@ class AlignRequest(_Asked):
     by: Literal["correlation", "rise", "fall", "maximum", "minimum", "start"]
     level: Number | None = None
     maximum_shift: Annotated[float, Unit("1", above=0.0)] | None = None
+    moved_channel: str = ""
 
 
 class FilesAsked(BaseModel):

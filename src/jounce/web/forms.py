@@ -29,6 +29,10 @@ if TYPE_CHECKING:
 Key = str | int
 
 
+_ROUNDING = 4e-16
+"""Of a conversion: 141 mm and 0.141 m are the same length, though their last bits differ; a page writes 141 mm."""
+
+
 @dataclass(frozen=True)
 class FormProblem:
     """A problem of a text: path of the value (empty for the whole text), line (0 for none), message."""
@@ -102,7 +106,8 @@ def form_of(
                 from jounce.parts.files import changed_text
 
                 now = rig.with_changes(dict(changes)).parameters()
-                text = changed_text(text, rig, {path: now[path] for path in changes})
+                given = {path: now[path] for path in changes}
+                text = changed_text(text, rig, given, rounding=_ROUNDING)
                 values, rig = toml_table(text), rig_in(project, path, text)
             numbers, python = describe_rig(rig, path), _python(project, path, saved, rig)
     except JounceError as error:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from jounce.core.columns import time_column
 from jounce.core.display import DisplayUnit
 from jounce.core.errors import RecordingError, unknown
 from jounce.core.types import Array
@@ -58,12 +59,12 @@ def write_levels(file: Path, folder: Path) -> dict[str, Any]:
         key=lambda candidate: candidate[0].values.size,
         default=[],
     )
-    time = next((channel for channel in table if channel.name == "time"), None)
+    time = time_column(table)
     if time is None or time.values.size < 2:
         raise RecordingError(
             "the recording has no time axis",
             where=str(file.name),
-            allowed="a column 'time' with at least two values",
+            allowed="a column of time, as in time [s], with at least two values",
         )
     count = time.values.size
     step = float(time.values[-1] - time.values[0]) / (count - 1)

@@ -324,9 +324,11 @@ def aligned(
     by: Literal["correlation", "rise", "fall", "maximum", "minimum", "start"],
     level: float | None = None,
     maximum_shift: float | None = None,
+    moved_channel: str = "",
 ) -> dict[str, Any]:
     """Return the shift of a recording on the common axis that aligns it with another, and how well they agree.
 
+    ``moved_channel`` is the channel of the moved recording if its name differs.
     The shift is absolute: that of the reference is added. Different rates are compared at the lower one.
     """
     from jounce.analysis.alignment import coincident, correlated, mean_rate
@@ -335,13 +337,17 @@ def aligned(
         raise DescriptionError(
             "these are not two recordings of the layout", where="reference, moved"
         )
-    first, second = (_whole_track(tracks[number], channel) for number in (reference, moved))
+    channels = {reference: channel, moved: moved_channel or channel}
+    first, second = (_whole_track(tracks[number], name) for number, name in channels.items())
     if by == "correlation":
         lower = mean_rate(first, second)
         found = correlated(first, second, maximum_shift=maximum_shift, resample=lower)
     else:
-        clocks = [track.clock for track in (tracks[moved], tracks[reference])]
-        units = [clock.levels.unit(channel) for clock in clocks if clock is not None]
+        units = [
+            clock.levels.unit(channels[number])
+            for number in (moved, reference)
+            if (clock := tracks[number].clock) is not None
+        ]
         factor = unit_factor(units[0], units[1], where=tracks[moved].path)
         second = replace(second, values=factor * second.values)
         found = coincident(first, second, by, level)

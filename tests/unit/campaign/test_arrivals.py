@@ -134,3 +134,27 @@ def test_the_state_follows_the_content(tmp_path: Path) -> None:
 def test_a_pasted_table_that_is_wrong_names_its_row(text: str, said: str) -> None:
     with pytest.raises(RecordingError, match=said):
         read_trial_text(text)
+
+
+def test_a_record_of_a_tester_enters_no_campaign(tmp_path: Path) -> None:
+    found = _only(_record(tmp_path / "lane.csv", "time [s],left.plate.z [mm],left.plate.force [N]"))
+    assert found.recognised.kind == "tester record"
+    assert found.missing == ()
+
+
+def test_a_profile_that_is_not_known_is_asked_for(tmp_path: Path) -> None:
+    file = _record(tmp_path / "run_03.csv")
+    rows = read_trial_text("trial\tspeed [m/s]\tobstacle\n3\t1.5\tkerb\n")
+    (found,) = preview_files([file], rows=rows).files
+    assert [(lack.what, lack.column) for lack in found.missing] == [("road", "kerb")]
+
+
+@pytest.mark.parametrize(("profile", "pitch"), [("B 0.10", 0.1), ("B0.15", 0.15), ("B10 cm", 0.1)])
+def test_a_train_has_its_pitch_beside_its_letter(profile: str, pitch: float) -> None:
+    (row,) = read_trial_text(f"trial\tspeed [m/s]\tobstacle\n3\t1.5\t{profile}\n")
+    assert (row.count, row.pitch) == (5, pytest.approx(pitch))
+
+
+def test_a_whole_number_beside_a_train_is_no_pitch_in_metres() -> None:
+    with pytest.raises(RecordingError, match="a train without a pitch"):
+        read_trial_text("trial\tspeed [m/s]\tobstacle\n3\t1.5\tB10\n")

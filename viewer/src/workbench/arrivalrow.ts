@@ -6,7 +6,10 @@ import { type Arrivals, CHOICES, CURVES, INPUTS, KINDS, NEEDED, type Preview } f
 import { select, textBox } from "./parts";
 import { line, svg } from "./picture";
 import { asSaid } from "./refusals";
+import { address } from "./shell";
 
+/** The kind of a record of a shock-absorber tester, which is inspected. */
+const TESTED = "tester record";
 const LENGTHS = ["mm", "cm", "m", "inch"],
   FORCES = ["N", "kN", "kgf", "lbf"];
 
@@ -58,6 +61,7 @@ export function arrivalRow(
       ...(preview.doubt
         ? [make("small", { class: "fair" }, " ", asSaid(`or ${preview.doubt}`))]
         : []),
+      ...(preview.kind === TESTED ? [make("small", {}, " ", tr(preview.kind))] : []),
     ),
     make("td", {}, sparkline(preview)),
     make(
@@ -65,11 +69,26 @@ export function arrivalRow(
       {},
       summary(preview.summary),
       ...(isData && kind ? [" ", columns] : []),
+      ...others(preview, name),
       ...units(arrivals, preview, name),
     ),
     make("td", { class: "inputs" }, ...inputs(arrivals, preview, kind, name)),
     make("td", {}, ...state(arrivals, preview)),
   );
+}
+
+/** Links to the pages that show a record without a campaign. */
+function others({ file, kind }: Preview, name: string): (Node | string)[] {
+  const link = (page: string, key: string, words: string) =>
+    make(
+      "a",
+      { href: address(page, { [key]: file }), "aria-label": `${tr(words)}: ${name}` },
+      tr(words),
+    );
+  return [
+    ...(kind === TESTED ? [" ", link("inspection", "record", "inspect")] : []),
+    ...([TESTED, "trial", "decay"].includes(kind) ? [" ", link("data", "path", "analyse")] : []),
+  ];
 }
 
 /** What a file contains, with numbers as the page writes them. */
@@ -170,7 +189,7 @@ function inputs(arrivals: Arrivals, preview: Preview, kind: string, name: string
         name,
       );
     const input = textBox(arrivals.value(preview, key), `${tr(label)}, ${example}`);
-    input.size = key === "number" ? 2 : 10;
+    input.size = key === "number" ? 2 : Math.min(input.placeholder.length, 18);
     input.setAttribute("aria-label", `${tr(label)}: ${name}`);
     input.dataset.at = `${preview.file} ${key}`;
     if (arrivals.isIn(preview) && NEEDED.includes(key) && !input.value)

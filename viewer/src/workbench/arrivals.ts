@@ -4,7 +4,7 @@ import { passing } from "../browser";
 import { tr } from "../words";
 
 export interface Missing {
-  what: "unit" | "speed" | "pressure" | "sign" | "channel";
+  what: "unit" | "speed" | "pressure" | "sign" | "channel" | "road";
   column: string;
   proposal: string;
 }
@@ -62,6 +62,7 @@ export const INPUTS: Record<string, [key: string, label: string, example: string
     ["number", "number", "1"],
     ["speed", "speed", "2 m/s"],
     ["tyre_pressure", "tyre pressure", "0.31 MPa"],
+    ["strut_angle", "strut angle", "26 deg"],
     ["road", "road", ""],
     ["use", "use", ""],
   ],
@@ -75,6 +76,10 @@ export const INPUTS: Record<string, [key: string, label: string, example: string
 export const NEEDED = ["speed", "pressure"];
 /** Kinds whose files hold force over displacement. */
 export const CURVES = ["spring", "tyre"];
+
+/** A sentence about a number of files. */
+export const countedFiles = (count: number, single: string, several: string): string =>
+  count === 1 ? tr(single) : tr(several, String(count));
 
 const empty = (): List => ({
   paths: [],
@@ -217,6 +222,7 @@ export class Arrivals {
       pressure: tr("pressure"),
       sign: tr("sign"),
       channel: tr("names of the columns"),
+      road: tr("road of #"),
     };
     const known = preview.missing.filter(({ what, column, proposal }) =>
       what === "unit"
@@ -226,7 +232,9 @@ export class Arrivals {
           ? CURVES.includes(kind) &&
             !this.value(preview, "stroke_positive") &&
             !this.value(preview, "force_positive")
-          : what === "channel",
+          : what === "road"
+            ? this.list.typed[preview.file]?.road === undefined
+            : what === "channel",
     );
     const needed = (INPUTS[kind] ?? [])
       .map(([key]) => key)
@@ -244,7 +252,7 @@ export class Arrivals {
     const typed = Object.fromEntries(
       (INPUTS[kind] ?? []).map(([key]) => [key, this.value(preview, key)]),
     );
-    const { columns, channel, strut_angle, sample_time } = preview.fields;
+    const { columns, channel, sample_time } = preview.fields;
     const read = {
       columns,
       stroke_positive: this.value(preview, "stroke_positive"),
@@ -255,7 +263,6 @@ export class Arrivals {
       kind === "trial"
         ? {
             sample_time: time,
-            strut_angle,
             number: /^\d+$/.test(typed.number ?? "") ? Number(typed.number) : typed.number,
             recording: file,
           }

@@ -3,7 +3,7 @@
 import { make } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
-import { type Arrivals, NEW } from "./arrivals";
+import { type Arrivals, countedFiles, NEW } from "./arrivals";
 import { field, once, select, textBox } from "./parts";
 import { Refused } from "./refusals";
 
@@ -44,10 +44,9 @@ export class Target {
   /** Says how many files the button enters. */
   count(files: number): void {
     this.button.disabled = !files;
-    this.button.textContent = tr(
-      this.arrivals.isNew ? "Make the campaign with # files" : "Enter # files into the campaign",
-      String(files),
-    );
+    this.button.textContent = this.arrivals.isNew
+      ? countedFiles(files, "Make the campaign with 1 file", "Make the campaign with # files")
+      : countedFiles(files, "Enter 1 file into the campaign", "Enter # files into the campaign");
   }
 
   /** Names of the roads that trials can have in this campaign. */

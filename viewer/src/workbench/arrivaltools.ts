@@ -10,6 +10,7 @@ const TOGETHER: [key: string, words: string][] = [
   ["kind", "type"],
   ["speed", "speed"],
   ["tyre_pressure", "tyre pressure"],
+  ["strut_angle", "strut angle"],
   ["road", "road"],
   ["use", "use"],
   ["pressure", "pressure of tyre tests"],

@@ -19,6 +19,7 @@ export class Against {
   private readonly boxes: HTMLInputElement[] = [];
   private readonly summary = make("summary", {});
   private readonly note = make("p", { class: "muted" });
+  private readonly choices = make("div", { class: "choices", role: "group" });
 
   constructor(
     label: string,
@@ -27,28 +28,14 @@ export class Against {
     private readonly most = 5,
   ) {
     const menu = make("details", { class: "against" }, this.summary);
-    const choices = make("div", { class: "choices", role: "group", "aria-label": label });
-    for (const [words, options] of groups) {
-      if (!options.length) continue;
-      choices.append(
-        make(
-          "fieldset",
-          {},
-          make("legend", {}, words),
-          ...options.map(([value, said]) => {
-            const box = make("input", { type: "checkbox", value });
-            box.addEventListener("change", () => {
-              this.tell();
-              this.changed();
-            });
-            this.boxes.push(box);
-            return make("label", {}, box, make("span", {}, said));
-          }),
-        ),
-      );
-    }
-    choices.append(this.note);
-    menu.append(choices);
+    this.choices.setAttribute("aria-label", label);
+    for (const [words, options] of groups)
+      if (options.length)
+        this.choices.append(
+          make("fieldset", {}, make("legend", {}, words), ...options.map((one) => this.box(one))),
+        );
+    this.choices.append(this.note);
+    menu.append(this.choices);
     menu.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || !menu.open) return;
       event.stopPropagation();
@@ -60,6 +47,23 @@ export class Against {
     });
     this.element = make("div", { class: "field" }, make("span", {}, label), menu);
     this.tell();
+  }
+
+  private box([value, said]: Option): HTMLElement {
+    const box = make("input", { type: "checkbox", value });
+    box.addEventListener("change", () => {
+      this.tell();
+      this.changed();
+    });
+    this.boxes.push(box);
+    return make("label", {}, box, make("span", {}, said));
+  }
+
+  /** Offers another choice, first of all, and takes it if there is room. */
+  add(option: Option): void {
+    this.choices.prepend(this.box(option));
+    this.values = [option[0], ...this.values].slice(0, this.most);
+    this.changed();
   }
 
   get values(): string[] {
@@ -116,7 +120,7 @@ export class Differing {
             title,
             ["parameter", "unit", ...names],
             rows.map(([path = "", unit = "", ...values]) => [
-              path,
+              tr(path),
               unit || "–",
               ...values.map((value) => (/^[−\d]/.test(value) ? withComma(value) : value)),
             ]),

@@ -4,8 +4,8 @@ import { make, written } from "../page";
 import { isGerman, tr } from "../words";
 import * as api from "./api";
 import { numberBox } from "./numberbox";
-import { field, once, problem, type Sliders } from "./parts";
-import { part } from "./quantities";
+import { field, once, problem, type Sliders, textBox } from "./parts";
+import { part, quantity as quantityOf, shownUnit } from "./quantities";
 import { Refused } from "./refusals";
 import { table } from "./table";
 
@@ -18,6 +18,14 @@ export interface Target {
   at?: string;
   over?: string;
   along?: string;
+}
+/** A target with the values that the best design reaches, in SI. */
+interface Reached {
+  quantity: string;
+  unit: string;
+  before: number[];
+  after: number[];
+  met: boolean;
 }
 interface Found {
   id: string;
@@ -34,6 +42,31 @@ interface Found {
 }
 
 const job = (id: string) => api.get<Found>(`/api/jobs/${encodeURIComponent(id)}`);
+
+/** What each target had and has, from its least to its greatest value. */
+function targetTable(targets: Reached[]): HTMLElement {
+  const range = (values: number[], factor: number) => {
+    const ends = [Math.min(...values), Math.max(...values)].map((end) => written(end * factor, 4));
+    return [...new Set(ends)].join(" … ");
+  };
+  return table(
+    tr("Targets"),
+    ["target", "before", "after", "unit", "state"],
+    targets.map(({ quantity, unit, before, after, met }) => {
+      const [shown, factor]: [string, number] = unit.startsWith("rad")
+        ? [unit.replace("rad", "°"), 180 / Math.PI]
+        : shownUnit(unit);
+      return [
+        quantityOf(quantity),
+        range(before, factor),
+        range(after, factor),
+        shown,
+        tr(met ? "met" : "missed"),
+      ];
+    }),
+    [1, 2],
+  );
+}
 
 /** A search for hardpoints that meet the targets, as a job: progress, results, and applying a design. */
 export function designing(
@@ -53,7 +86,7 @@ export function designing(
   const boxes = names.map((name) =>
     make("input", { type: "checkbox", value: name, checked: /tie_rod|link_5/.test(name) }),
   );
-  const within = make("input", { type: "text", value: "15 mm" }),
+  const within = textBox("15 mm"),
     starts = numberBox({ min: "1", max: "100", value: "4" }),
     out = make("div", { "aria-live": "polite" });
   const begin = make("button", { type: "submit", class: "main" }, tr("Search"));
@@ -185,7 +218,7 @@ export function designing(
     const result = outcome.result as {
       met: boolean;
       moved: Record<string, { before: number; after: number }>;
-      targets: { quantity: string; met: boolean }[];
+      targets: Reached[];
       starts: {
         start: number;
         met: boolean;
@@ -219,8 +252,11 @@ export function designing(
         { class: result.met ? "good" : "problem" },
         result.met
           ? tr("Every target is met.")
-          : tr("Targets missed: #.", String(result.targets.filter((target) => !target.met).length)),
+          : `${tr("Targets missed: #.", String(result.targets.filter((target) => !target.met).length))} ${tr(
+              "Allow a larger move, let more hardpoints move, or widen the tolerance.",
+            )}`,
       ),
+      targetTable(result.targets),
       table(
         "searches",
         [

@@ -1,6 +1,6 @@
 /** Files on their way in: dropped on any page or chosen, with their folders; one page uploads and lists them. */
 
-import { make } from "../page";
+import { make, whenLeft } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import { Refused } from "./refusals";
@@ -16,6 +16,15 @@ export const MOST_FILES = 500;
 const MOST = 250e6, // bytes of a file
   MOST_NAMES = 50; // tried for a file whose name is taken
 let waiting: Given[] = [];
+let taker: ((files: Given[]) => void) | null = null;
+
+/** Lets the open page take files that are dropped on it, until it is left. */
+export function takeDrops(take: (files: Given[]) => void): void {
+  taker = take;
+  whenLeft(() => {
+    if (taker === take) taker = null;
+  });
+}
 
 /** The files that were dropped or chosen last, and whether there were more; they are given once. */
 export function arrived(): { files: Given[]; isCut: boolean } {
@@ -74,11 +83,8 @@ const openCampaign = (): string => {
 
 /** Takes files dropped on any page, and says so while they are dragged over it. A zone of a page has its own files. */
 export function listenForDrops(): void {
-  const said = make(
-    "div",
-    { class: "dropping", hidden: true, "aria-hidden": "true" },
-    make("p", {}, tr("Drop the files: they are recognised and listed before anything is entered.")),
-  );
+  const words = make("p", {}),
+    said = make("div", { class: "dropping", hidden: true, "aria-hidden": "true" }, words);
   document.body.append(said);
   const isFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") ?? false;
   const isOurs = (event: DragEvent) =>
@@ -88,6 +94,11 @@ export function listenForDrops(): void {
     if (!isFiles(event)) return;
     event.preventDefault();
     said.hidden = !isOurs(event);
+    words.textContent = tr(
+      taker
+        ? "Drop the files: they are stored in the project and added to this page."
+        : "Drop the files: they are recognised and listed before anything is entered.",
+    );
     clearTimeout(hides);
     hides = window.setTimeout(() => {
       said.hidden = true;
@@ -99,21 +110,22 @@ export function listenForDrops(): void {
     const isTaken = event.defaultPrevented;
     event.preventDefault();
     if (isTaken || !event.dataTransfer) return;
-    const campaign = openCampaign();
-    void within(event.dataTransfer).then(
-      (files) => bring(files, campaign),
-      () => bring(plain(event.dataTransfer?.files ?? []), campaign),
-    );
+    const campaign = openCampaign(),
+      take = taker ?? ((files: Given[]) => bring(files, campaign));
+    void within(event.dataTransfer).then(take, () => take(plain(event.dataTransfer?.files ?? [])));
   });
 }
 
 /** Buttons that choose files or a folder, as an alternative to dragging. */
-export function choosers(campaign = ""): HTMLElement {
+export function choosers(
+  campaign = "",
+  take = (files: Given[]) => bring(files, campaign),
+): HTMLElement {
   const chooser = (words: string, isFolder: boolean) => {
     const input = make("input", { type: "file", multiple: true, hidden: true });
     if (isFolder) input.setAttribute("webkitdirectory", "");
     input.addEventListener("change", () => {
-      bring(plain(input.files ?? []), campaign);
+      take(plain(input.files ?? []));
       input.value = "";
     });
     const button = make("button", { type: "button" }, words);

@@ -23,8 +23,22 @@ export function field(label: string, control: HTMLElement, note = ""): HTMLLabel
 }
 
 /** A field for a short text without spell checking. */
-export const textBox = (value = "", placeholder = ""): HTMLInputElement =>
-  make("input", { type: "text", value, placeholder, spellcheck: "false" });
+export function textBox(value = "", placeholder = ""): HTMLInputElement {
+  const box = make("input", { type: "text", value, placeholder, spellcheck: "false" });
+  keepUnit(box);
+  return box;
+}
+
+/** Gives a number that is typed without a unit the unit that the field had, or that of its example, and shows it. */
+function keepUnit(box: HTMLInputElement): void {
+  const unitOf = (text: string) => /^[-+\d.,]+\s+([^\d\s][^\s:]*)$/.exec(text.trim())?.[1];
+  let unit = unitOf(box.value) ?? unitOf(box.placeholder.split(", ").pop()!);
+  box.addEventListener("change", () => {
+    if (unit && /^[-+]?(\d+([.,]\d*)?|[.,]\d+)$/.test(box.value.trim()))
+      box.value = `${box.value.trim()} ${unit}`;
+    unit = unitOf(box.value) ?? unit;
+  });
+}
 
 /** A choice between values, shown as they are or in `words`; the first is selected by default. */
 export function select(

@@ -3,23 +3,44 @@
 import { make } from "../page";
 import { tr } from "../words";
 import { fill } from "./filled";
+import { bring, choosers, type Given, store, takeDrops } from "./incoming";
 import { extent, type Laid } from "./laid";
 import { MOST_RECORDINGS } from "./layout";
 import { numberBox } from "./numberbox";
-
 import { unitText } from "./quantities";
+import { problem } from "./refusals";
+
+const FOLDER = "measured"; // of the project, where files that come in are stored
 
 export const ROLES = ["after", "other-5", "other-1", "other-2", "other-3", "other-6"];
 
 export class RecordingList {
   private readonly list = make("ul", { class: "recordings" });
   private readonly more = make("select", { "aria-label": tr("Add a recording") });
-  readonly element = make("section", {}, make("h2", {}, tr("Recordings")), this.list, this.more);
+  private readonly wrong = make("div", { "aria-live": "polite" });
+  private readonly hint = make(
+    "p",
+    { class: "muted" },
+    tr(
+      "Drop recordings anywhere on this page, choose them, or add one of the project. Saved runs of the page Trial are among them.",
+    ),
+  );
+  readonly element = make(
+    "section",
+    {},
+    make("h2", {}, tr("Recordings")),
+    this.hint,
+    this.list,
+    this.more,
+    choosers("", (files) => void this.take(files)),
+    this.wrong,
+  );
 
   constructor(
     private readonly laid: Laid,
     private readonly paths: string[],
   ) {
+    takeDrops((files) => void this.take(files));
     this.more.addEventListener("change", () => {
       if (!this.more.value) return;
       laid.layout.recordings.push({ path: this.more.value, shown: true, shifts: {} });
@@ -27,7 +48,29 @@ export class RecordingList {
     });
   }
 
+  /** Stores files in the project and shows them; those that are no measurement, or too many, are listed as new files. */
+  private async take(files: Given[]): Promise<void> {
+    const { recordings } = this.laid.layout,
+      room = MOST_RECORDINGS - recordings.length;
+    if (files.length > room || files.some(({ path }) => path.endsWith(".toml"))) {
+      bring(files);
+      return;
+    }
+    this.wrong.replaceChildren();
+    for (const file of files)
+      try {
+        const path = await store(file, FOLDER);
+        if (!this.paths.includes(path)) this.paths.push(path);
+        if (!recordings.some((recording) => recording.path === path))
+          this.laid.layout.recordings.push({ path, shown: true, shifts: {} });
+      } catch (error) {
+        this.wrong.append(problem(error));
+      }
+    this.laid.changed();
+  }
+
   show(): void {
+    this.hint.hidden = this.laid.layout.recordings.length > 0;
     const { layout, tracks, unit } = this.laid,
       { recordings, axis } = layout;
     fill(

@@ -4,6 +4,7 @@ import { make } from "../page";
 import { chartOf, drawingsOf, type ShownChart, type ShownDrawing } from "../shown";
 import { tr } from "../words";
 import * as api from "./api";
+import { once } from "./parts";
 import { problem } from "./refusals";
 
 type Block =
@@ -108,10 +109,21 @@ function menu(label: string, entries: [string, () => Promise<unknown>][]): HTMLE
   return make("div", { class: "saving" }, whole, said);
 }
 
-/** A menu that saves one document, which the server makes when it is asked for. */
+/** A button that saves one document, which the server makes when it is asked for. */
 export function saveDocument(name: string, content: () => Promise<Blob>): HTMLElement {
-  const save = async () => download(await content(), named(name, "pdf"));
-  return menu(tr("Save this document"), [[tr("PDF document"), save]]);
+  const said = make("span", { "aria-live": "polite", class: "said" }),
+    button = make("button", { type: "button" }, "Save as PDF");
+  button.addEventListener("click", () => {
+    said.textContent = tr("saving …");
+    once(button, content()).then(
+      (document) => {
+        said.textContent = "";
+        download(document, named(name, "pdf"));
+      },
+      (error) => said.replaceChildren(problem(error)),
+    );
+  });
+  return make("div", { class: "saving" }, button, said);
 }
 
 /** Saves or copies the curves of an element. */

@@ -293,6 +293,7 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
   ); // what else is entered goes with any text
   own.used = () => drafts.done(own.state());
   drafts.hear(place);
+  const hasAngles = overview.trials.some((trial) => trial.strut_angle);
   place.replaceChildren(
     make("h1", {}, overview.title),
     make(
@@ -329,13 +330,22 @@ async function showFile(place: HTMLElement, path: string, read: string): Promise
     make("h2", {}, "Trials"),
     table(
       "trials",
-      ["trial", "use", "road", "speed", "tyre pressure", "recording"],
+      [
+        "trial",
+        "use",
+        "road",
+        "speed",
+        "tyre pressure",
+        ...(hasAngles ? ["strut angle"] : []),
+        "recording",
+      ],
       overview.trials.map((trial) => [
         String(trial.number),
         tr(String(trial.use ?? "hold-out")),
         String(trial.road ?? tr("measured support")),
         inField(String(trial.speed ?? "–")),
         inField(String(trial.tyre_pressure ?? "–")),
+        ...(hasAngles ? [inField(String(trial.strut_angle ?? "–"))] : []),
         trial.file
           ? link(String(trial.file), "recording", trial as Partial<Bench>)
           : make("span", { class: "mark bad" }, `${String(trial.recording)} is missing`),

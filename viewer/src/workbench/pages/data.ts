@@ -11,7 +11,14 @@ import { ChannelList } from "../channels";
 import { EventList } from "../events";
 import { FormulaList } from "../formulas";
 import type { Laid, Said, Track } from "../laid";
-import { emptyLayout, type Layout, packed, unpacked, whole as wholeLayout } from "../layout";
+import {
+  emptyLayout,
+  type Layout,
+  MOST_RECORDINGS,
+  packed,
+  unpacked,
+  whole as wholeLayout,
+} from "../layout";
 import { LayoutBar } from "../layouts";
 import { LiveSnippets, Newest, Steps, select } from "../parts";
 import { unitText } from "../quantities";
@@ -168,7 +175,7 @@ class DataPage implements Laid {
     whenLeft(() => clearInterval(looks));
   }
 
-  /** Begins with the layout of the address, of a file, with one recording, or with the last state here. */
+  /** Begins with the layout of the address, of a file, with one recording (beside the others), or with the last state here. */
   async begin(values: Values): Promise<void> {
     const file = values.get("layout") ?? "",
       state = values.get("state") ?? "",
@@ -180,9 +187,10 @@ class DataPage implements Laid {
       if (!given) throw new Error(tr("This link is damaged: the layout in it cannot be read."));
       layout = given;
     }
-    if (!layout && !path) layout = this.left();
+    if (!layout && (!path || values.get("beside"))) layout = this.left();
     layout ??= emptyLayout();
-    if (path && !layout.recordings.some((recording) => recording.path === path))
+    const isFull = layout.recordings.length >= MOST_RECORDINGS;
+    if (path && !isFull && !layout.recordings.some((recording) => recording.path === path))
       layout.recordings.push({ path, shown: true, shifts: {} });
     this.steps.amend(() => {
       this.layout = wholeLayout(layout);

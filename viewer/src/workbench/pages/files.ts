@@ -4,7 +4,7 @@ import { make } from "../../page";
 import { heard, tr } from "../../words";
 import * as api from "../api";
 import { arrivalRow } from "../arrivalrow";
-import { Arrivals, CURVES, type List, type Preview } from "../arrivals";
+import { Arrivals, CURVES, countedFiles, KINDS, type List, type Preview } from "../arrivals";
 import { Target } from "../arrivaltarget";
 import { settingsOf, together, trialTable } from "../arrivaltools";
 import { arrived, choosers, type Given, MOST_FILES, store } from "../incoming";
@@ -92,6 +92,8 @@ class FilesPage {
   );
   private target!: Target;
   private done: string[] = [];
+  /** A pasted table that cannot be read, and the reason. */
+  private refused: { table: string; why: HTMLElement } | null = null;
   private readonly body = make("tbody", {});
   private readonly status = make("div", { "aria-live": "polite" });
   private readonly reader = make("div", {});
@@ -113,15 +115,20 @@ class FilesPage {
       return;
     }
     this.status.replaceChildren(
-      make("p", { class: "state" }, tr("reading # files …", String(paths.length))),
+      make(
+        "p",
+        { class: "state" },
+        countedFiles(paths.length, "reading 1 file …", "reading # files …"),
+      ),
     );
     if (!this.element.childElementCount) this.element.append(this.status);
+    const used = table === this.refused?.table ? "" : table;
     const question = (some: string[]) =>
       ask<Previews>({
         kind: "preview-files",
         files: some,
         columns: Object.fromEntries(some.filter((p) => columns[p]).map((p) => [p, columns[p]!])),
-        table,
+        table: used,
       });
     const known: Preview[] = [];
     const said: HTMLElement[] = [];
@@ -134,9 +141,10 @@ class FilesPage {
       take(reply.result);
       said.push(snippets(reply));
     } catch (error) {
-      if (table) {
-        arrivals.list.table = "";
-        said.push(problem(error));
+      if (used) {
+        this.refused = { table, why: problem(error) }; // what was pasted stays, to be mended
+        await this.look();
+        return;
       }
       for (const path of paths)
         await question([path]).then(
@@ -169,6 +177,7 @@ class FilesPage {
       return;
     }
     this.rows();
+    const isForCampaign = arrivals.previews.some(({ kind }) => kind in KINDS);
     const clear = make("button", { type: "button" }, "Clear the list");
     clear.addEventListener("click", () => {
       arrivals.clear();
@@ -178,11 +187,10 @@ class FilesPage {
       ...lists,
       this.status,
       ...this.tables(),
-      together(arrivals),
+      ...(isForCampaign ? [together(arrivals)] : []),
       this.table(),
       this.reader,
-      this.counted,
-      this.target.form(),
+      ...(isForCampaign ? [this.counted, this.target.form()] : []),
       make(
         "p",
         { class: "bar" },
@@ -198,7 +206,7 @@ class FilesPage {
     return make(
       "p",
       { class: "good" },
-      tr("# files entered.", String(this.done.length)),
+      countedFiles(this.done.length, "1 file entered.", "# files entered."),
       " ",
       make("a", { href: address("campaign", { file }) }, tr("Open the campaign")),
     );
@@ -247,6 +255,7 @@ class FilesPage {
           ]
         : []),
       ...(hasTrials ? [trialTable(arrivals, () => this.look())] : []),
+      ...(this.refused && this.refused.table === arrivals.list.table ? [this.refused.why] : []),
     ];
   }
 
@@ -291,8 +300,8 @@ class FilesPage {
     const { chosen } = arrivals,
       open = chosen.filter((preview) => arrivals.lacks(preview).length);
     this.counted.textContent = [
-      tr("# files will be entered", String(chosen.length)),
-      ...(open.length ? [tr("# lack something", String(open.length))] : []),
+      countedFiles(chosen.length, "1 file will be entered", "# files will be entered"),
+      ...(open.length ? [countedFiles(open.length, "1 lacks something", "# lack something")] : []),
     ].join("; ");
     this.target.count(chosen.length);
   }

@@ -11,15 +11,15 @@ import { designing, type Target } from "../designing";
 import { Drafts, moment } from "../drafts";
 import { type Band, Multiples } from "../multiples";
 import { numberBox } from "../numberbox";
-import { field, LiveSnippets, Newest, Outdated, Sliders, Steps } from "../parts";
+import { field, LiveSnippets, Newest, Outdated, Sliders, Steps, textBox } from "../parts";
 import { pastePoints } from "../pasting";
 import { Points } from "../points";
 import { inWords, part, quantity } from "../quantities";
 import { asSaid } from "../refusals";
 import { saveChart, saveDrawing } from "../saving";
-import { address, choose, given, setLive, type Values } from "../shell";
+import { address, choose, given, goTo, setLive, type Values } from "../shell";
 import { row, table } from "../table";
-import { Writing } from "../writing";
+import { savingAs, Writing } from "../writing";
 
 type Over = "travel" | "rack" | "roll";
 /** State that survives the reload after saving: targets, and changes made meanwhile. */
@@ -462,13 +462,37 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       dispatchEvent(new HashChangeEvent("hashchange"));
     },
   );
+  const saves = savingAs(
+    rig,
+    () => sliders.changes,
+    (path) => {
+      if (!place.isConnected) return;
+      if (isOwn) {
+        writes.say(tr("Saved as #. It is among those to compare with.", path));
+        against.add([path, path]);
+        return;
+      }
+      stored = { rig: path, said: tr("Copied into the project."), targets, changes: {} };
+      drafts.drop(); // the copy has it all
+      goTo(place, "kinematics", { rig: path });
+    },
+  );
   const design = isOwn
     ? designing(name, rig, targets, sliders, (changes) => {
         for (const [path, value] of Object.entries(changes)) sliders.set(path, value);
         dragged.set(moved());
         void ask();
       })
-    : make("p", { class: "muted" }, tr("To design this rig, copy it into the project."));
+    : make(
+        "div",
+        {},
+        make(
+          "p",
+          { class: "muted" },
+          tr("To design this rig, copy it into the project, with what is changed here."),
+        ),
+        saves,
+      );
   whenColoursChange(() => view.repaint());
   arrange();
   place.replaceChildren(
@@ -520,7 +544,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     ),
     make("h2", {}, tr("Parameters")),
     sliders.element,
-    ...(isOwn ? [writes.element] : []),
+    ...(isOwn ? [writes.element, saves] : []),
     make("h2", {}, tr("Hardpoints")),
     table(
       tr("Hardpoints"),
@@ -573,15 +597,16 @@ class Targets {
         make("option", { value, title: tr(value.replace("_", " ")) }, words),
       ),
     );
-    const value = make("input", { type: "text", value: "0 deg" }),
-      tolerance = make("input", { type: "text", value: "0.1 deg" }),
-      where = make("input", { type: "text", value: "-20 mm:20 mm:10 mm" });
+    const value = textBox("0 deg"),
+      tolerance = textBox("0.1 deg"),
+      where = textBox("-20 mm:20 mm:10 mm");
     const unit = () => {
       const quantity = this.quantities().find((quantity) => quantity.name === this.quantity.value);
       if (quantity) {
         const text = quantity.unit.replace("°", "deg");
         value.value = `0 ${text}`.trim();
-        tolerance.value = inField(`0.1 ${text}`.trim());
+        tolerance.value = inField(`${text.endsWith("/m") ? 1 : 0.1} ${text}`.trim()); // 1 deg/m is 0.1 deg in 100 mm
+        for (const box of [value, tolerance]) box.dispatchEvent(new Event("change"));
       }
     };
     this.quantity.addEventListener("change", unit);

@@ -196,7 +196,12 @@ function comparison(
     [tr("this project"), of("rig", "vehicle")],
     [tr("saved runs"), savedRuns.map(({ path }) => [path, path.replace(/^runs\//, "")])],
     [tr("campaigns"), of("campaign")],
-    [tr("results of campaigns"), of("results")],
+    [
+      tr("results of campaigns"),
+      of("results").filter(
+        ([path]) => /(^|\/)results\.json$/.test(path) && !/^designs\//.test(path),
+      ),
+    ],
     [tr("shipped"), library.map(({ name }) => [name, name])],
   ];
   const chosen = new Against(

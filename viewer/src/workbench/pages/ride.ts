@@ -42,6 +42,7 @@ interface Compared {
   runs: Run[];
   failed: Record<string, string>;
 }
+const MOST_OVERLAID = 6;
 const ROLES = ["comfort", "holding", "travel"] as const;
 export async function show(place: HTMLElement, values: Values): Promise<void> {
   const id = values.get("job");
@@ -204,32 +205,49 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   offers.replaceChildren(drafts.element);
 }
 
-/** Overlays up to six finished rides of any vehicles, over time and as spectra. */
-function overlay(): HTMLElement {
-  interface One {
-    vehicle: string;
-    road: string;
-    speed: string;
-    duration: string;
-    seed: number;
-    changes: Record<string, unknown>;
-    control: string;
-  }
-  interface Drawn {
-    content: object;
-    notes: string[];
-    failed: Record<string, string>;
-  }
-  const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Finished rides")),
-    chosen = new Map<string, One>(),
-    offered = new Set<string>();
-  const none = make("p", { class: "empty" }, "No finished ride yet: drive first."),
-    over = select(["0", "1"], "0", (value) => tr(value === "0" ? "time" : "frequency (spectra)"));
+/** A ride with one controller. */
+interface One {
+  vehicle: string;
+  road: string;
+  speed: string;
+  duration: string;
+  seed: number;
+  changes: Record<string, unknown>;
+  control: string;
+}
+
+/** The rides of a job, one for each controller. */
+function ridesOf(asked: Record<string, unknown>): One[] {
+  const {
+    control,
+    kind: _,
+    ...drive
+  } = asked as unknown as Omit<One, "control"> & {
+    control: string[];
+    kind?: string;
+  };
+  return control.map((name) => ({ ...drive, control: name }));
+}
+
+interface Drawn {
+  content: object;
+  notes: string[];
+  failed: Record<string, string>;
+}
+
+/** Draws rides over time or as spectra, in figures that can be saved; `isAlone` adds what does the same. */
+function drawn(
+  rides: () => One[],
+  isAlone: boolean,
+): { asking: HTMLElement; question: Question<Drawn> } {
+  const over = select(["0", "1"], "0", (value) =>
+    tr(value === "0" ? "time" : "frequency (spectra)"),
+  );
   let draw = (): void => {};
   over.addEventListener("change", () => draw());
   const question = new Question<Drawn>(
     "Draw",
-    () => ({ kind: "overlay", rides: [...chosen.values()] }),
+    () => ({ kind: "overlay", rides: rides() }),
     ({ result, ...reply }) => {
       const holder = make("div", {});
       void Store.open(JSON.stringify(result.content))
@@ -248,24 +266,38 @@ function overlay(): HTMLElement {
         ),
         ...result.notes.map((text) => make("p", { class: "muted" }, text)),
         holder,
-        snippets(reply),
+        ...(isAlone ? [snippets(reply)] : []),
       ];
     },
   );
-  const asking = make("div", { class: "form" }, field("Curves over", over), question.button),
-    section = make("section", {}, none, boxes, asking, question.place);
+  const asking = make("div", { class: "form" }, field("Curves over", over), question.button);
+  return { asking, question };
+}
+
+/** Curves of the rides of a job, drawn at once, up to as many as an overlay takes. */
+function curvesOf(asked: Record<string, unknown>): HTMLElement {
+  const rides = ridesOf(asked).slice(0, MOST_OVERLAID),
+    { asking, question } = drawn(() => rides, false);
+  question.button.hidden = true;
+  setTimeout(() => void question.ask()); // once it is part of the page
+  return make("section", {}, make("h2", {}, "Curves"), asking, question.place);
+}
+
+/** Overlays up to six finished rides of any vehicles, over time and as spectra. */
+function overlay(): HTMLElement {
+  const boxes = make("fieldset", { class: "free" }, make("legend", {}, "Finished rides")),
+    chosen = new Map<string, One>(),
+    offered = new Set<string>();
+  const none = make("p", { class: "empty" }, "No finished ride yet: drive first."),
+    { asking, question } = drawn(() => [...chosen.values()], true);
+  const section = make("section", {}, none, boxes, asking, question.place);
   boxes.hidden = asking.hidden = true;
   follow(section, (jobs) => {
     for (const job of jobs
       .filter((job) => job.kind === "compare" && job.state === "done")
       .reverse()) {
-      const { control, ...drive } = job.asked as unknown as Omit<One, "control"> & {
-        control: string[];
-      };
-      for (const name of control) {
-        const request = { ...drive, control: name },
-          key = JSON.stringify(request);
-        delete (request as { kind?: string }).kind;
+      for (const request of ridesOf(job.asked)) {
+        const key = JSON.stringify(request);
         if (offered.has(key)) continue; // the same was driven before
         offered.add(key);
         const box = make("input", { type: "checkbox" });
@@ -285,7 +317,7 @@ function overlay(): HTMLElement {
             "label",
             {},
             box,
-            ` ${titled(job.title)}${request.seed ? `, ${request.seed}` : ""}, ${name}${changed}`,
+            ` ${titled(job.title)}${request.seed ? `, ${request.seed}` : ""}, ${request.control}${changed}`,
           ),
         );
       }
@@ -515,6 +547,7 @@ async function showRun(place: HTMLElement, id: string): Promise<void> {
       results.replaceChildren(
         ...("runs" in end.result ? merits(end.result) : front(end.result, end.asked)),
         ...failures("runs" in end.result ? end.result : null),
+        ...("runs" in end.result ? [curvesOf(end.asked)] : []),
         snippets(end),
         ...(end.has_page
           ? [

@@ -69,19 +69,15 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   const sizes = make("span", { class: "sizes" });
   const road = given<Record<string, string>>(values.get("road")); // what another page opens: sizes and start with their units
   if (road.kind && road.kind in OBSTACLES) kind.value = road.kind;
-  const speed = make("input", {
-      type: "text",
-      value: values.get("speed") ?? (rig.name.includes("kart") ? "1.95 m/s" : "30 km/h"),
-    }),
-    duration = make("input", { type: "text", value: values.get("duration") ?? "1.5 s" });
+  const speed = textBox(
+      values.get("speed") ?? (rig.name.includes("kart") ? "1.95 m/s" : "30 km/h"),
+    ),
+    duration = textBox(values.get("duration") ?? "1.5 s");
   const offered = () =>
     sizes.replaceChildren(
       ...OBSTACLES[kind.value]!.map((text) => {
-        const input = make("input", {
-          type: "text",
-          value: road[text] ?? USUAL[text]!,
-          name: text,
-        });
+        const input = textBox(road[text] ?? USUAL[text]!);
+        input.name = text;
         input.addEventListener("change", () => void curves.ask());
         return field(tr(text[0]!.toUpperCase() + text.slice(1)), input);
       }),
@@ -193,6 +189,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         status.replaceChildren(
           tr("Saved as "),
           make("a", { href: address("record", { path }) }, path),
+          ". ",
+          make("a", { href: address("data", { path, beside: "yes" }) }, tr("Beside recordings")),
           ". ",
           make("a", { href: address("project") }, tr("Compare in the project")),
         );
