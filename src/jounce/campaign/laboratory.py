@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,10 +10,9 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from jounce.campaign.belt import Belt
-from jounce.core.columns import name_and_unit, text_of
+from jounce.core.columns import name_and_unit
 from jounce.core.description import Description, Whole, read_description
 from jounce.core.errors import DescriptionError, RecordingError
-from jounce.core.files import reading
 from jounce.core.misplaced import error_at, misplaced_value
 from jounce.core.phrases import Phrase
 from jounce.core.text import without_accents
@@ -28,6 +25,7 @@ from jounce.core.units import (
     is_unit_of,
     to_si,
 )
+from jounce.recordings.cells import cells_of_file, cells_of_text
 from jounce.recordings.conditioning import sensitivity_of
 from jounce.recordings.schema import channel_unit, quantity_of
 from jounce.recordings.sensors import Sensor
@@ -184,7 +182,7 @@ def read_trials(path: Path | str) -> list[TrialRow]:
     [(1, 1.95, 1, None), (2, 2.86, 1, None), (4, 1.97, 5, 0.1)]
     """
     file = Path(path)
-    return _trials_in(_cells(file), str(file))
+    return _trials_in(cells_of_file(file), str(file))
 
 
 def read_trial_text(text: str, where: str = "table") -> list[TrialRow]:
@@ -201,7 +199,7 @@ def read_trial_text(text: str, where: str = "table") -> list[TrialRow]:
     >>> [(row.number, round(row.speed, 6), round(row.pressure)) for row in rows]
     [(1, 2.0, 310000), (2, 3.0, 310000)]
     """
-    return _trials_in(_cells_of(text), where)
+    return _trials_in(cells_of_text(text), where)
 
 
 def _trials_in(rows: list[list[str]], file: str) -> list[TrialRow]:
@@ -256,7 +254,7 @@ def is_table_of_trials(path: Path | str) -> bool:
 
 def _table_of(file: Path) -> tuple[list[list[str]], int]:
     """Return the cells of a table of trials, and the index of its heading row."""
-    rows = _cells(file)
+    rows = cells_of_file(file)
     return rows, _heading_row(rows, str(file))
 
 
@@ -278,36 +276,6 @@ def _heading_row(rows: list[list[str]], where: str) -> int:
 
 def _count_cells(row: Sequence[str]) -> int:
     return sum(bool(cell.strip()) for cell in row)
-
-
-def _cells(file: Path) -> list[list[str]]:
-    """Read the cells of a text file or of the first sheet of a workbook as texts with decimal points."""
-    if file.suffix.lower() == ".xlsx":
-        from jounce.core.optional import require
-
-        with reading(file, RecordingError):
-            book = require("openpyxl", "io").load_workbook(file, read_only=True, data_only=True)
-            sheet = book.worksheets[0]
-            cells = [
-                ["" if cell is None else str(cell) for cell in row]
-                for row in sheet.iter_rows(values_only=True)
-            ]
-    else:
-        return _cells_of(text_of(file))
-    return _with_points(cells)
-
-
-def _cells_of(text: str) -> list[list[str]]:
-    """Split a text at tabs or semicolons if most of its lines have them, else at commas."""
-    lines = [line for line in text.splitlines() if line.strip()]
-    separator = next(
-        (mark for mark in ";\t" if 2 * sum(mark in line for line in lines) > len(lines)), ","
-    )
-    return _with_points(list(csv.reader(io.StringIO(text), delimiter=separator)))
-
-
-def _with_points(cells: list[list[str]]) -> list[list[str]]:
-    return [[re.sub(r"(?<=\d),(?=\d)", ".", cell) for cell in row] for row in cells]
 
 
 def _are_units(row: Sequence[str], places: dict[str, tuple[int, str]]) -> bool:

@@ -39,17 +39,21 @@ def zigzag(signal: Array, threshold: float) -> list[int]:
     >>> zigzag(np.array([0.0, 3.0, 2.9, 3.1, 0.0, 1.0]), 0.5)
     [0, 3, 4]
     """
-    turns, extreme, direction = [0], 0, 0
-    for index in range(1, len(signal)):
-        step = signal[index] - signal[extreme]
+    # Between two local extremes nothing can turn: only these are visited, each at the first of equal samples.
+    moves = np.flatnonzero(np.diff(signal))
+    signs = np.sign(signal[moves + 1] - signal[moves])
+    places = moves[np.flatnonzero(np.append(signs[1:] != signs[:-1], True))] + 1
+    turns, extreme, direction, value = [0], 0, 0, float(signal[0]) if len(signal) else 0.0
+    for index, height in zip(places.tolist(), signal[places].tolist(), strict=True):
+        step = height - value
         if direction == 0:
             if abs(step) > threshold:
-                direction, extreme = (1 if step > 0 else -1), index
+                direction, extreme, value = (1 if step > 0 else -1), index, height
         elif step * direction > 0.0:
-            extreme = index
+            extreme, value = index, height
         elif -step * direction > threshold:
             turns.append(extreme)
-            direction, extreme = -direction, index
+            direction, extreme, value = -direction, index, height
     return turns
 
 

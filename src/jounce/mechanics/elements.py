@@ -20,7 +20,7 @@ from jounce.parts.curves import (
     RotationalTableCurve,
     TableCurve,
 )
-from jounce.parts.dampers import DamperLaw, MapDamper
+from jounce.parts.dampers import ClickDamper, DamperLaw, Grid, MapDamper
 from jounce.parts.elements import BumpStop, Friction, Spring, Tyre
 
 _SLIDING = 3.0  # in regularisation velocities; tanh(3) = 0.995
@@ -138,8 +138,10 @@ class ModelPoint:
         """Return the force at ``x``, interpolated and extrapolated linearly from the law's points."""
         return table_force(self.system, self.path, variable, points, x)
 
-    def grid(self, damper: MapDamper) -> ca.SX:
-        """Return the force of a map at the current length and velocity."""
+    def grid(self, damper: Grid) -> ca.SX:
+        """Return the force of a grid at the current velocity, and length or clicks."""
+        if isinstance(damper, ClickDamper):
+            return click_force(self.system, damper, self.path, self.number("clicks"), self.velocity)
         assert self.length is not None, "maps are laws of 3-D struts, which have a length"
         return damper_map_force(self.system, damper, self.path, self.length, self.velocity)
 
@@ -167,6 +169,18 @@ def damper_force(
     return damper.evaluate(ModelPoint(system, path, deflection, velocity, length, number))
 
 
+def click_force(
+    system: System, damper: ClickDamper, path: str, clicks: ca.SX, velocity: ca.SX
+) -> ca.SX:
+    """Return the force (N) of an adjustable damper at its clicks and a velocity (m/s).
+
+    Clicks do not move during a run: their hinges are plain maxima, on which no integration step has to end.
+    """
+    knots = [system.parameter(f"{path}.measured_clicks[{i}]") for i in range(len(damper.rows))]
+    past = [ca.fmax(clicks - knot, 0.0) for knot in knots]
+    return _grid_force(system, damper, path, knots, past, velocity)
+
+
 def damper_map_force(
     system: System, damper: MapDamper, path: str, length: ca.SX, velocity: ca.SX
 ) -> ca.SX:
@@ -175,16 +189,25 @@ def damper_map_force(
     It is extrapolated linearly in velocity. Each cell of the grid is a product of hinge functions, which
     lets integration steps end on grid lines.
     """
-    rows, columns = len(damper.length), len(damper.velocity)
-    places = [system.parameter(f"{path}.length[{i}]") for i in range(rows)]
-    speeds = [system.parameter(f"{path}.velocity[{j}]") for j in range(columns)]
-    past = [system.switch(f"{path}.length[{i}]", length - places[i]) for i in range(rows)]
-    share = [past[0] * (length - places[0]) - past[1] * (length - places[1])]
-    share += [
-        past[i] * (length - places[i]) - past[i + 1] * (length - places[i + 1])
-        for i in range(1, rows - 1)
+    knots = [system.parameter(f"{path}.length[{i}]") for i in range(len(damper.rows))]
+    past = [
+        system.switch(f"{path}.length[{i}]", length - knot) * (length - knot)
+        for i, knot in enumerate(knots)
     ]
-    share = [part / (places[i + 1] - places[i]) for i, part in enumerate(share)]
+    return _grid_force(system, damper, path, knots, past, velocity)
+
+
+def _grid_force(
+    system: System,
+    damper: Grid,
+    path: str,
+    knots: list[ca.SX],
+    past: list[ca.SX],
+    velocity: ca.SX,
+) -> ca.SX:
+    """Return the bilinearly interpolated force (N); ``past`` is how far each knot of the rows has been passed."""
+    columns = len(damper.velocity)
+    speeds = [system.parameter(f"{path}.velocity[{j}]") for j in range(columns)]
     over = [
         system.switch(f"{path}.velocity[{j}]", velocity - speeds[j]) for j in range(1, columns - 1)
     ]
@@ -199,9 +222,10 @@ def damper_map_force(
             force += over[j - 1] * (slopes[j] - slopes[j - 1]) * (velocity - speeds[j])
         return force
 
-    curves = [along(i) for i in range(rows)]
+    curves = [along(i) for i in range(len(knots))]
+    shares = [(past[i] - past[i + 1]) / (knots[i + 1] - knots[i]) for i in range(len(knots) - 1)]
     return curves[0] + sum(
-        (share[i] * (curves[i + 1] - curves[i]) for i in range(rows - 1)), ca.SX(0.0)
+        (share * (curves[i + 1] - curves[i]) for i, share in enumerate(shares)), ca.SX(0.0)
     )
 
 

@@ -38,6 +38,7 @@ MODULES = (
     "jounce.campaign.model_choice",
     "jounce.campaign.posterior",
     "jounce.campaign.test_sheet",
+    "jounce.dampers.map",
     "jounce.design.adjustment",
     "jounce.design.studied",
     "jounce.design.measured_poses",

@@ -15,7 +15,7 @@ from jounce.parts.axles import DependentAxle
 from jounce.parts.bushings import Mount
 from jounce.parts.compliance import bushings_of, compliance_findings
 from jounce.parts.corners import Corner
-from jounce.parts.dampers import MapDamper, VelocityTable
+from jounce.parts.dampers import ClickDamper, MapDamper, VelocityTable
 from jounce.parts.leverage import (
     carried_beside_spring,
     motion_ratio,
@@ -249,7 +249,7 @@ def _check_driving(place: str, damper: object) -> Iterator[Finding]:
     """Report the first point of a damper table at which it drives the motion instead of damping it."""
     if isinstance(damper, VelocityTable):
         rows = {"": damper.force}
-    elif isinstance(damper, MapDamper):
+    elif isinstance(damper, MapDamper | ClickDamper):
         rows = {f"[{i}]": row for i, row in enumerate(damper.force)}
     else:
         return

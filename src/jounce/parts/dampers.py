@@ -62,8 +62,8 @@ class OperatingPoint(Protocol):
     def table(self, variable: str, x: Any, points: int) -> Any:
         """Return the force at ``x``, interpolated and extrapolated linearly through the law's points."""
 
-    def grid(self, damper: MapDamper) -> Any:
-        """Return the force of a map at the current length and velocity."""
+    def grid(self, damper: Grid) -> Any:
+        """Return the force of a grid at the current velocity, and length or clicks."""
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:
         """Return a first-order state of the law; ``rate`` computes its time derivative from it."""
@@ -86,8 +86,8 @@ class SampledPoint:
         """Return the force at ``x``, interpolated and extrapolated linearly through the law's points."""
         return on_lines(self.number(variable), self.number("force"), x)
 
-    def grid(self, damper: MapDamper) -> Array:
-        """Return the force of a map at one length."""
+    def grid(self, damper: Grid) -> Array:
+        """Return the force of a grid at one length, or at its clicks."""
         return damper.at_length(self.length).forces(self.velocity)
 
     def state(self, name: str, rate: Callable[[Any], Any]) -> Any:  # noqa: ARG002
@@ -423,27 +423,13 @@ class MapDamper(DamperLaw):
 
     @model_validator(mode="after")
     def _is_a_grid(self) -> Self:
-        check_ascending("length", self.length)
-        check_ascending("velocity", self.velocity)
-        if len(self.force) != len(self.length):
-            raise ValueError(
-                Phrase(
-                    "force has {count} rows and length has {second_count} points; give one row for each length",
-                    count=len(self.force),
-                    second_count=len(self.length),
-                )
-            )
-        for i, row in enumerate(self.force):
-            if len(row) != len(self.velocity):
-                raise error_at(
-                    ("force", i),
-                    Phrase(
-                        "this row has {count} forces and velocity {second_count} points; give equal numbers of both",
-                        count=len(row),
-                        second_count=len(self.velocity),
-                    ),
-                )
+        _check_grid("length", self.length, self.velocity, self.force)
         return self
+
+    @property
+    def rows(self) -> tuple[float, ...]:
+        """Lengths of the rows, m."""
+        return self.length
 
     def evaluate(self, at: OperatingPoint) -> Any:
         """Return the force at an operating point, N."""
@@ -451,11 +437,100 @@ class MapDamper(DamperLaw):
 
     def at_length(self, length: float) -> VelocityTable:
         """Return the table over velocity at a damper length (m)."""
-        forces = tuple(
-            float(np.interp(length, self.length, column))
-            for column in zip(*self.force, strict=True)
+        return _row_of(self, length)
+
+
+class ClickDamper(DamperLaw):
+    """Adjustable damper: ``force[i][j]`` (N) at ``measured_clicks[i]`` and ``velocity[j]`` (m/s), set to ``clicks``.
+
+    Velocity is positive in bump (shortening), force in compression. Interpolation is linear over clicks and velocity;
+    the force is extrapolated over velocity, never over clicks. Clicks may be fractions, so that a search or a sweep
+    moves them like any other number.
+    """
+
+    kind: Literal["clicks"] = "clicks"
+    clicks: Annotated[float, Unit("1")]
+    measured_clicks: Annotated[tuple[Annotated[float, Unit("1")], ...], Listed] = Field(
+        min_length=2
+    )
+    velocity: Annotated[tuple[Speed, ...], Listed] = Field(min_length=2)
+    force: Annotated[tuple[Annotated[tuple[Force, ...], Listed], ...], Listed]
+    pushes_at_rest: ClassVar[bool] = True
+
+    @model_validator(mode="after")
+    def _is_a_grid(self) -> Self:
+        _check_grid("measured_clicks", self.measured_clicks, self.velocity, self.force)
+        if not self.measured_clicks[0] <= self.clicks <= self.measured_clicks[-1]:
+            raise error_at(
+                ("clicks",),
+                "not among the clicks that were measured",
+                found=f"{self.clicks:g}",
+                allowed=Phrase(
+                    "{low:g} to {high:g}",
+                    low=self.measured_clicks[0],
+                    high=self.measured_clicks[-1],
+                ),
+            )
+        return self
+
+    @property
+    def rows(self) -> tuple[float, ...]:
+        """Clicks of the rows."""
+        return self.measured_clicks
+
+    def evaluate(self, at: OperatingPoint) -> Any:
+        """Return the force at an operating point, N."""
+        return at.grid(self)
+
+    def at_length(self, length: float | None) -> VelocityTable:  # noqa: ARG002 - the length changes nothing
+        """Return the table over velocity at the present clicks."""
+        return _row_of(self, self.clicks)
+
+    def points(self, beyond: float = 1.0) -> tuple[Array, Array]:
+        """Return the velocities (m/s) and forces (N) at the present clicks."""
+        return _row_of(self, self.clicks).points(beyond)
+
+
+Grid = MapDamper | ClickDamper
+"""Laws that are tables over velocity and something else."""
+
+
+def _check_grid(
+    name: str,
+    rows: tuple[float, ...],
+    velocity: tuple[float, ...],
+    force: tuple[tuple[float, ...], ...],
+) -> None:
+    """Refuse forces that are not a grid over ascending rows and velocities; ``name`` names the rows."""
+    check_ascending(name, rows)
+    check_ascending("velocity", velocity)
+    if len(force) != len(rows):
+        raise ValueError(
+            Phrase(
+                "force has {count} rows and {name} has {second_count} points; give one row for each {name}",
+                name=name,
+                count=len(force),
+                second_count=len(rows),
+            )
         )
-        return VelocityTable(velocity=self.velocity, force=forces)
+    for i, row in enumerate(force):
+        if len(row) != len(velocity):
+            raise error_at(
+                ("force", i),
+                Phrase(
+                    "this row has {count} forces and velocity {second_count} points; give equal numbers of both",
+                    count=len(row),
+                    second_count=len(velocity),
+                ),
+            )
+
+
+def _row_of(damper: Grid, place: float) -> VelocityTable:
+    """Return the table over velocity between two rows of a grid."""
+    forces = tuple(
+        float(np.interp(place, damper.rows, column)) for column in zip(*damper.force, strict=True)
+    )
+    return VelocityTable(velocity=damper.velocity, force=forces)
 
 
 def damper_kind(value: Any) -> str:
@@ -466,6 +541,8 @@ def damper_kind(value: Any) -> str:
         return str(value["kind"])
     if {"bump_coefficient", "rebound_coefficient"} & value.keys():
         return "bilinear"
+    if "measured_clicks" in value:
+        return "clicks"
     return "table" if {"velocity", "force"} & value.keys() else "linear"
 
 
@@ -474,6 +551,7 @@ _LumpedDamper = (
     | Annotated[BilinearDamper, Tag("bilinear")]
     | Annotated[BlowOffDamper, Tag("blow-off")]
     | Annotated[VelocityTable, Tag("table")]
+    | Annotated[ClickDamper, Tag("clicks")]
     | Annotated[TanhDamper, Tag("tanh")]
     | Annotated[BoucWenDamper, Tag("bouc-wen")]
 )

@@ -14,6 +14,7 @@ from jounce.plots import (
     analysis,
     audi_a6,
     campaign,
+    dampers,
     design,
     fits,
     inspection,
@@ -116,6 +117,7 @@ def _register() -> Callable[..., Figure]:
     from jounce.campaign.result import CampaignResult
     from jounce.campaign.strategy_result import StrategyResult
     from jounce.campaign.trial_result import TrialResult
+    from jounce.dampers.map import DamperMap
     from jounce.design.best_design import BestDesign
     from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront
@@ -213,6 +215,7 @@ def _register() -> Callable[..., Figure]:
     draw.register(DecayResult, fits.decay_fit)
     draw.register(Calibration, fits.calibration_fit)
     draw.register(DamperCurve, of_damper)
+    draw.register(DamperMap, dampers.damper_map_curves)
     draw.register(
         MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options)
     )

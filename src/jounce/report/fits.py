@@ -169,25 +169,29 @@ def damper_page(
     table = as_table(fields_table(f"Damper, {fit.law} law", parameters), note)
     tables = {"damper": fit.damper, "friction": fit.friction}
     rig = Bullets(
-        tuple(f"{name} = {_toml(values)}" for name, values in tables.items() if values is not None)
+        tuple(
+            f"{name} = {rig_table(values)}" for name, values in tables.items() if values is not None
+        )
     )
     in_rig = Paragraph("In a rig file, below [strut], positive in compression (bump):")
     blocks = [table, Paragraph(counted, "muted"), in_rig, rig, *findings_blocks(findings), picture]
     return answer_page(title, blocks, f"Damper, {fit.law} law")
 
 
-def _toml(table: dict[str, Any]) -> str:
+def rig_table(table: dict[str, Any]) -> str:
     """Format a table on one line in the syntax of a rig file."""
     import tomlkit
 
     inline = tomlkit.inline_table()
-    inline.update(
-        {
-            key: float(f"{value:.6g}") if isinstance(value, float) else value
-            for key, value in table.items()
-        }
-    )
+    inline.update({key: _short(value) for key, value in table.items()})
     return inline.as_string()
+
+
+def _short(value: Any) -> Any:
+    """Round numbers to six digits, also those of lists."""
+    if isinstance(value, list):
+        return [_short(item) for item in value]
+    return float(f"{value:.6g}") if isinstance(value, float) else value
 
 
 @old_argument("found", "fit")

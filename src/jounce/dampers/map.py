@@ -1,0 +1,462 @@
+"""The map of a damper: force over velocity and clicks from a folder of records."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+
+from jounce.core.errors import DescriptionError, FitError, JounceError
+from jounce.core.findings import Finding, finding
+from jounce.core.operation import File, Mark, operation
+from jounce.core.phrases import Phrase
+from jounce.core.results import Shows
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.dampers.curves import Reading, SettingCurve, curve_of, usual_reading
+from jounce.dampers.files import (
+    AnyDynoFiles,
+    UnreadFile,
+    as_dyno_files,
+    read_settings,
+    settings_of,
+)
+from jounce.dampers.loops import mean_of
+from jounce.dampers.runs import DynoRun, ReadRun, left_out, peak_forces, read_run, summary_of
+from jounce.identify.estimate import Estimate, student_factor
+from jounce.identify.signs import ForcePositive, StrokePositive, static_force
+
+_UNLIKE = 3.0  # factor between a force and that of other records of its setting: a wrong unit, or another damper
+_ENOUGH = 3  # records of a setting, from which one can differ from the others
+_SWAPPED = (
+    0.2  # share of the force by which a record whose bump is the others' rebound differs from them
+)
+_LEVEL = student_factor(math.inf)
+
+
+@dataclass(frozen=True)
+class DamperSetting(Plain):
+    """A damper at one setting.
+
+    Attributes
+    ----------
+    settings : dict of str to float
+        Clicks [1], temperature (K) and gas pressure (Pa) that the records state; empty if they state none.
+    files : tuple of str
+        Names of its records.
+    velocity : array (n,)
+        Velocities, m/s, ascending, bump positive.
+    force, low, high : array (n,)
+        Force (N) without that of the gas, and its 95 % interval; NaN where too few cycles tell one.
+    gas_force, gas_stiffness : Estimate
+        Force of the gas in mid-stroke, N, and its stiffness, N/m.
+    friction : Estimate
+        Dry friction of the seals, N.
+    lag : Estimate
+        Delay of the force behind the velocity, s.
+    repeatability : float or None
+        Scatter of repeated records, as a share of the force [1]; None without repeats.
+    """
+
+    settings: dict[str, float]
+    files: tuple[str, ...]
+    velocity: Array
+    force: Array
+    low: Array
+    high: Array
+    gas_force: Annotated[Estimate, Shows("gas force in mid-stroke", "N")]
+    gas_stiffness: Annotated[Estimate, Shows("gas stiffness", "N/m")]
+    friction: Annotated[Estimate, Shows("friction", "N")]
+    lag: Annotated[Estimate, Shows("lag of the force", "s")]
+    repeatability: Annotated[float | None, Shows("scatter of repeats", "%", 2)]
+
+    @property
+    def damper(self) -> dict[str, Any]:
+        """Table to write under ``strut.damper``, SI: gas force and friction are taken out."""
+        velocity, force = _with_rest(
+            self.velocity, self.force - self.friction.value * np.sign(self.velocity)
+        )
+        return {"kind": "table", "velocity": velocity.tolist(), "force": force.tolist()}
+
+
+@dataclass(frozen=True)
+class CurveAt(Plain):
+    """Force over velocity between measured clicks.
+
+    Attributes
+    ----------
+    clicks : float
+        Clicks.
+    velocity, force, low, high : array (n,)
+        Velocity (m/s), force without gas (N) and its 95 % interval (N); NaN where it is unknown.
+    """
+
+    clicks: float
+    velocity: Array
+    force: Array
+    low: Array
+    high: Array
+
+
+@dataclass(frozen=True)
+class DamperMap(Plain):
+    """The map of a damper, SI, compression positive.
+
+    Attributes
+    ----------
+    reading : {"peak", "continuous"}
+        How the loops were read: one point a cycle at peak velocity (PVP), or the whole loop (CVP).
+    settings : tuple of DamperSetting
+        One for each setting, by clicks.
+    runs : tuple of DynoRun
+        The records.
+    findings : tuple of Finding
+        Findings of the reader, of the records and of the map.
+    """
+
+    reading: Reading
+    settings: tuple[DamperSetting, ...]
+    runs: tuple[DynoRun, ...]
+    findings: tuple[Finding, ...]
+
+    @property
+    def clicks(self) -> tuple[float, ...]:
+        """Measured clicks, ascending; empty if none are stated, or a setting has more than its clicks."""
+        values = [item.settings.get("clicks", math.nan) for item in self.settings]
+        distinct = len(set(values)) == len(values) and not any(map(math.isnan, values))
+        return tuple(values) if distinct and len(values) > 1 else ()
+
+    @property
+    def velocity(self) -> Array:
+        """Velocities (m/s) at which all settings are known."""
+        low = max(float(item.velocity[0]) for item in self.settings)
+        high = min(float(item.velocity[-1]) for item in self.settings)
+        union = np.unique(np.concatenate([item.velocity for item in self.settings]))
+        inside = union[(union >= low) & (union <= high)]
+        gap = 0.005 * (high - low)
+        kept = [float(inside[0])]
+        for value in inside[1:]:
+            if value - kept[-1] > gap:
+                kept.append(float(value))
+        return np.array(kept)
+
+    @property
+    def damper(self) -> dict[str, Any]:
+        """Table to write under ``strut.damper``, SI: over clicks if several were measured, set to the middle ones."""
+        if not self.clicks:
+            return self.settings[0].damper
+        rows = []
+        for item in self.settings:
+            table = item.damper
+            velocity, _ = _with_rest(self.velocity, self.velocity)
+            rows.append(np.interp(velocity, table["velocity"], table["force"]).tolist())
+        return {
+            "kind": "clicks",
+            "clicks": self.clicks[len(self.clicks) // 2],
+            "measured_clicks": list(self.clicks),
+            "velocity": velocity.tolist(),
+            "force": rows,
+        }
+
+    def at(self, clicks: float) -> CurveAt:
+        """Return the curve at clicks between measured ones.
+
+        Its interval adds the intervals of both neighbours and the error of the interpolation, which is told from how
+        well neighbours predict each measured setting between them; with two settings nothing tells it.
+
+        Parameters
+        ----------
+        clicks : float
+            Clicks, within the measured ones.
+
+        Raises
+        ------
+        DescriptionError
+            If the map has no clicks, or they lie beyond the measured ones.
+        """
+        known = self.clicks
+        if not known:
+            raise DescriptionError(
+                "the records state no clicks", where="clicks",
+                hint="State the settings of each file in a table: file, clicks.",
+            )  # fmt: skip
+        if not known[0] <= clicks <= known[-1]:
+            raise DescriptionError(
+                "not among the clicks that were measured", where="clicks", found=f"{clicks:g}",
+                allowed=Phrase("{low:g} to {high:g}", low=known[0], high=known[-1]),
+            )  # fmt: skip
+        velocity = self.velocity
+        force, error = self._rows(velocity)
+        upper = min(max(int(np.searchsorted(known, clicks)), 1), len(known) - 1)
+        share = (clicks - known[upper - 1]) / (known[upper] - known[upper - 1])
+        mean = (1.0 - share) * force[upper - 1] + share * force[upper]
+        own = ((1.0 - share) * error[upper - 1]) ** 2 + (share * error[upper]) ** 2
+        bow = 4.0 * share * (1.0 - share) * self._bow(force)
+        half = _LEVEL * np.sqrt(own + bow**2)
+        return CurveAt(clicks, velocity, mean, mean - half, mean + half)
+
+    def _rows(self, velocity: Array) -> tuple[Array, Array]:
+        force = np.stack([np.interp(velocity, item.velocity, item.force) for item in self.settings])
+        half = np.stack(
+            [
+                np.interp(velocity, item.velocity, 0.5 * (item.high - item.low))
+                for item in self.settings
+            ]
+        )
+        return force, half / _LEVEL
+
+    def _bow(self, force: Array) -> Array:
+        """Return the usual error (N) of linear interpolation half-way between neighbours, at each velocity.
+
+        Neighbours at twice the distance err four times as much if the force bends evenly.
+        """
+        known = self.clicks
+        if len(known) < 3:
+            return np.full(force.shape[1], math.nan)
+        errors = []
+        for k in range(1, len(known) - 1):
+            share = (known[k] - known[k - 1]) / (known[k + 1] - known[k - 1])
+            errors.append(force[k] - (1.0 - share) * force[k - 1] - share * force[k + 1])
+        return np.sqrt(np.mean(np.square(errors), axis=0)) / 4.0
+
+    def table(self) -> str:
+        """Write velocities, forces and their intervals of all settings as CSV, SI."""
+        lines = [
+            "clicks,temperature [K],gas pressure [Pa],velocity [m/s],force [N],low [N],high [N]"
+        ]
+        for item in self.settings:
+            stated = [
+                f"{item.settings[name]:.9g}" if name in item.settings else ""
+                for name in ("clicks", "temperature", "gas_pressure")
+            ]
+            lines += [
+                ",".join([*stated, *("" if math.isnan(x) else f"{x:.9g}" for x in row)])
+                for row in zip(item.velocity, item.force, item.low, item.high, strict=True)
+            ]
+        return "\n".join(lines) + "\n"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain values, SI, with the table for a rig."""
+        return {**super().to_dict(), "damper": self.damper}
+
+
+@operation(
+    "damper map",
+    echo={"files": "measured"},
+    offers=("table", "figure", "report"),
+    page="jounce.report.dampers:damper_map_page",
+    title="Damper map",
+    doing="reading",
+    example="jounce damper map dyno --settings settings.csv --report damper.html",
+)
+def damper_map(
+    files: AnyDynoFiles,
+    settings: Annotated[
+        str | Path | Mapping[str, Mapping[str, float | str]] | None,
+        File(
+            r"Table of the settings of each file: file, clicks, temperature \[degC], gas pressure \[bar]."
+        ),
+    ] = None,
+    *,
+    reading: Annotated[
+        Reading | None,
+        Mark(
+            "One point a cycle at peak velocity, or the whole loop; default: what the records allow.",
+            "peak|continuous",
+        ),
+    ] = None,
+    stroke_positive: Annotated[
+        StrokePositive | None,
+        Mark(
+            "Positive direction of the stroke; default: found from the gas force, else compression.",
+            "compression|extension",
+        ),
+    ] = None,
+    force_positive: Annotated[
+        ForcePositive | None,
+        Mark("Positive direction of the force; likewise.", "compression|tension"),
+    ] = None,
+) -> DamperMap:
+    """Make the map of a damper from the records of a test rig: force over velocity, for each setting.
+
+    Records of sine, crank, triangle, ramp and random motion, of one or several velocities and settings, in one folder.
+    Settings are taken from a table, from channels ``clicks`` and ``gas_pressure``, or from the names of files
+    ("front_8clicks_40degC.csv"). A file that cannot be used is a finding; the others are used.
+
+    Parameters
+    ----------
+    files : sequence of RecordFile, str or Path
+        Records with ``displacement`` (m) and ``force`` (N) over time (s), and ``velocity`` (m/s) if recorded; folders
+        of them.
+    settings : str, Path or mapping, optional
+        Table with a column ``file`` and columns ``clicks``, ``temperature`` and ``gas pressure``; or these by the name
+        of each file, SI or with a unit.
+    reading : {"peak", "continuous"}, optional
+        Read one point a cycle at peak velocity (PVP), or the whole loop (CVP). By default "peak" if every setting was
+        run at three peak velocities or more.
+    stroke_positive, force_positive : str, optional
+        Positive direction of the stroke ("compression", "extension") and of the force ("compression", "tension") in
+        all records.
+
+    Returns
+    -------
+    DamperMap
+        Force over velocity at each setting with its interval; gas force, friction and lag; findings. Intervals contain
+        the scatter of cycles and of records, not errors of the load cell and of the stroke's calibration.
+
+    Raises
+    ------
+    FitError
+        If no record can be used.
+    RecordingError, DescriptionError
+        If the table of settings cannot be read.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import jounce as jn
+    >>> t = np.arange(0.0, 20.0, 1e-3)
+    >>> def sine(speed):
+    ...     x, v = speed / 10.0 * np.sin(10.0 * t), speed * np.cos(10.0 * t)
+    ...     force = np.where(v > 0.0, 800.0, 1600.0) * v + 5.0 * np.random.default_rng(1).standard_normal(len(t))
+    ...     channels = {"displacement": (x, "m", ""), "velocity": (v, "m/s", ""), "force": (force, "N", "")}
+    ...     return jn.recording(t, channels)
+    >>> records = [jn.RecordFile(f"{speed}.csv", sine(speed)) for speed in (0.05, 0.13, 0.26)]
+    >>> made = jn.damper_map(records)
+    >>> made.reading, [round(force, -1) for force in made.settings[0].force[[0, -1]]]
+    ('peak', [-420.0, 210.0])
+    """
+    table = read_settings(settings)
+    findings: list[Finding] = []
+    runs: list[ReadRun] = []
+    for item in as_dyno_files(files):
+        if isinstance(item, UnreadFile):
+            findings.append(left_out(item.path, item.error))
+            continue
+        findings += item.findings
+        try:
+            stated, more = settings_of(item, table)
+            run = read_run(
+                item, stated, stroke_positive=stroke_positive, force_positive=force_positive
+            )
+        except JounceError as error:
+            findings.append(left_out(item.path, error))
+            continue
+        findings += more
+        runs.append(run)
+    if not runs:
+        raise FitError(
+            "no record of a damper can be used", where="files",
+            found="; ".join(item.message for item in findings[:3]) or "nothing",
+        )  # fmt: skip
+    groups: dict[tuple[tuple[str, float], ...], list[ReadRun]] = {}
+    for run in runs:
+        groups.setdefault(tuple(sorted(run.settings.items())), []).append(run)
+    alike = {key: _alike(group, findings) for key, group in groups.items()}
+    used = [run for group in alike.values() for run in group]
+    chosen = reading or usual_reading(list(alike.values()))
+    largest = max(run.peak for run in used)
+    curves = [
+        _setting(key, group, curve_of(group, chosen, largest, findings))
+        for key, group in sorted(alike.items(), key=lambda pair: dict(pair[0]).get("clicks", 0.0))
+    ]
+    summaries = tuple(summary_of(run) for run in used)
+    findings += [item for run in used for item in run.findings]
+    if len(curves) > 1 and any("clicks" not in item.settings for item in curves):
+        findings.append(finding("dampers.settings_unknown", "settings", len(curves)))
+    return DamperMap(chosen, tuple(curves), summaries, tuple(findings))
+
+
+def _setting(
+    key: tuple[tuple[str, float], ...], runs: Sequence[ReadRun], curve: SettingCurve
+) -> DamperSetting:
+    ends = np.array([item.interval or (math.nan, math.nan) for item in curve.force])
+    force = np.array([item.value for item in curve.force])
+    return DamperSetting(
+        dict(key), tuple(run.file for run in runs), curve.velocity, force, ends[:, 0], ends[:, 1],
+        curve.gas_force, curve.gas_stiffness, curve.friction, curve.lag, curve.repeatability,
+    )  # fmt: skip
+
+
+def _alike(runs: list[ReadRun], findings: list[Finding]) -> list[ReadRun]:
+    """Leave out records that differ from the others of their setting as a wrong unit or sign does."""
+    if len(runs) < _ENOUGH:
+        return runs
+    points = {run.file: _net_peaks(run) for run in runs}
+    rates = {name: float(np.ptp(force) / np.ptp(speed)) for name, (speed, force) in points.items()}
+    usual_rate, usual_peak = (
+        float(np.median(values)) for values in (list(rates.values()), [run.peak for run in runs])
+    )
+    kept = []
+    for run in runs:
+        factor = rates[run.file] / usual_rate
+        limit = _UNLIKE * max(
+            run.peak / usual_peak, usual_peak / run.peak
+        )  # no valve bends a curve more
+        if 1.0 / limit < factor < limit:
+            kept.append(run)
+        else:
+            findings.append(finding("dampers.unlike_others", run.file, factor, factor=factor))
+    turned = [
+        run
+        for run in kept
+        if len(kept) >= _ENOUGH and _is_turned(run.file, {r.file: points[r.file] for r in kept})
+    ]
+    findings += [finding("dampers.bump_is_rebound", run.file) for run in turned]
+    return [run for run in kept if run not in turned] or runs
+
+
+def _is_turned(name: str, points: Mapping[str, Array]) -> bool:
+    """Whether a record is like the others only with bump and rebound exchanged."""
+    velocity, force = points[name]
+    others = np.concatenate([item for other, item in points.items() if other != name], axis=1)
+    away, away_turned = (
+        float(np.abs(force - line).sum() / np.abs(line).sum())
+        for line in (_usual(velocity, *others), -_usual(-velocity[::-1], *others)[::-1])
+    )
+    return away > _SWAPPED and away_turned < 0.5 * away
+
+
+def _net_peaks(run: ReadRun) -> Array:
+    """Return peak velocities (m/s) in rebound and bump, and their forces without a static force (N): (2, 2)."""
+    velocity, force = (mean_of(item.T)[::-1] for item in peak_forces(run))
+    motion = run.motion
+    rest = (
+        static_force(motion.displacement, motion.velocity, motion.force).value
+        if run.has_slow_samples
+        else 0.0
+    )
+    return np.array([velocity, force - rest])
+
+
+def _usual(velocity: Array, known: Array, force: Array) -> Array:
+    """Return forces at velocities by ``a v + b sqrt(v)`` on either side; a stray point counts little in the fit."""
+    usual = np.empty(len(velocity))
+    for sign in (-1.0, 1.0):
+        side, at = sign * known > 0.0, sign * velocity > 0.0
+        basis = np.stack([np.abs(known[side]), np.sqrt(np.abs(known[side]))], axis=1)
+        weight = np.ones(int(side.sum()))
+        for _ in range(_ROUNDS):
+            solution, *_rest = np.linalg.lstsq(
+                basis * weight[:, np.newaxis], force[side] * weight, rcond=None
+            )
+            away = np.abs(force[side] - basis @ solution)
+            weight = 1.0 / np.sqrt(np.maximum(away, 1e-3 * np.median(np.abs(force[side]))))
+        usual[at] = (
+            np.stack([np.abs(velocity[at]), np.sqrt(np.abs(velocity[at]))], axis=1) @ solution
+        )
+    return usual
+
+
+_ROUNDS = 20  # of reweighting
+
+
+def _with_rest(velocity: Array, force: Array) -> tuple[Array, Array]:
+    """Put the point at rest into a curve, where the force is zero."""
+    away = np.abs(velocity) > 1e-9
+    place = int(np.searchsorted(velocity[away], 0.0))
+    return np.insert(velocity[away], place, 0.0), np.insert(force[away], place, 0.0)

@@ -1,0 +1,264 @@
+"""One record of a damper rig: its motion, its cycles, and what they show of gas, friction, lag and fade."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jounce.core.errors import JounceError
+from jounce.core.findings import Finding, finding
+from jounce.core.results import Shows
+from jounce.core.serialise import Plain
+from jounce.core.types import Array
+from jounce.dampers.loops import acceleration_of, cycle_numbers, mean_of
+from jounce.identify.damper_record import DamperMotion, columns_of, read_motion
+from jounce.identify.estimate import Estimate, estimate
+from jounce.identify.signs import ForcePositive, StrokePositive, static_force
+from jounce.recordings.options import RecordFile
+
+MotionKind = Literal["sine", "crank", "triangle", "ramp", "random"]
+
+_SECOND = (
+    0.02  # second harmonic of a stroke, as a share of the first: a crank; a scotch yoke has none
+)
+_SINE = 0.98  # share of the variance of a stroke in its first two harmonics
+_STEADY = 0.85  # median of the speed over its largest: a triangle has 1, a sine 0.71
+_UNEVEN = 0.1  # scatter of the strokes of cycles, as a share: not yet, or no longer, steady
+_FADES = 0.02  # change of the force over a record that is named
+PEAK = 0.05  # share of the largest speed below it that counts as peak velocity
+_NEAR_REST = 0.1  # share of the peak velocity up to which samples are slow
+_SHARE_NEAR_REST = 0.02  # of the samples: a sine has 0.06, a triangle next to none
+
+
+@dataclass(frozen=True)
+class DynoRun(Plain):
+    """A record of a damper rig.
+
+    Attributes
+    ----------
+    file : str
+        Name of the file.
+    settings : dict of str to float
+        Settings at which it was taken, SI.
+    motion : {"sine", "crank", "triangle", "ramp", "random"}
+        What drove the damper.
+    stroke, peak_velocity : float
+        Largest minus smallest displacement (m); usual peak velocity of a cycle (m/s).
+    cycles : int
+        Whole cycles; of a record without cycles, the parts it was divided into.
+    stroke_positive, force_positive : str
+        Positive directions in the record, as stated or found.
+    peak_bump_force, peak_rebound_force : Estimate
+        Force at peak velocity in bump and in rebound (N), gas included.
+    fade : Estimate
+        Change of the force from the first cycle to the last, as a share [1].
+    energy_per_cycle : float
+        Work done on the damper in a cycle, J.
+    """
+
+    file: Annotated[str, Shows("file")]
+    settings: dict[str, float]
+    motion: Annotated[MotionKind, Shows("motion")]
+    stroke: Annotated[float, Shows("stroke", "m")]
+    peak_velocity: Annotated[float, Shows("peak velocity", "m/s")]
+    cycles: Annotated[int, Shows("cycles")]
+    stroke_positive: StrokePositive
+    force_positive: ForcePositive
+    peak_bump_force: Annotated[Estimate, Shows("bump at peak velocity", "N")]
+    peak_rebound_force: Annotated[Estimate, Shows("rebound at peak velocity", "N")]
+    fade: Annotated[Estimate, Shows("change over the record")]
+    energy_per_cycle: Annotated[float, Shows("energy per cycle", "J")]
+
+
+@dataclass(frozen=True)
+class ReadRun:
+    """A record that has been read, with what later steps need of it."""
+
+    file: str
+    settings: Mapping[str, float]
+    motion: DamperMotion
+    kind: MotionKind
+    cycles: NDArray[np.int64]
+    acceleration: Array
+    findings: list[Finding] = field(default_factory=list)
+
+    @cached_property
+    def starts(self) -> NDArray[np.int64]:
+        """First sample of each cycle, and the one after the last."""
+        inside = np.flatnonzero(self.cycles >= 0)
+        first = inside[np.flatnonzero(np.diff(self.cycles[inside], prepend=-1))]
+        return np.append(first, inside[-1] + 1)
+
+    @property
+    def count(self) -> int:
+        """Number of whole cycles."""
+        return len(self.starts) - 1
+
+    @cached_property
+    def peak(self) -> float:
+        """Usual peak velocity of a cycle, m/s."""
+        return float(np.median(self.largest(np.abs(self.motion.velocity))))
+
+    @property
+    def has_slow_samples(self) -> bool:
+        """Whether the record shows the force at rest: plateaus of velocity do not."""
+        speed = np.abs(self.motion.velocity)
+        return float(np.mean(speed < _NEAR_REST * self.peak)) > _SHARE_NEAR_REST
+
+    def largest(self, values: Array) -> Array:
+        """Return the largest value in each cycle."""
+        largest: Array = np.maximum.reduceat(values[: self.starts[-1]], self.starts[:-1])
+        return largest
+
+
+def read_run(
+    record: RecordFile,
+    settings: Mapping[str, float],
+    *,
+    stroke_positive: StrokePositive | None,
+    force_positive: ForcePositive | None,
+) -> ReadRun:
+    """Read a record: compression positive, cut to the motion, its cycles numbered.
+
+    A gas force that pulls shows that both signs are reversed, if neither is stated.
+
+    Raises
+    ------
+    JounceError
+        If displacement or force is missing, or the record has no motion.
+    """
+    name = Path(record.path).name
+    columns = columns_of(record.data, None, None, None, name)
+
+    def read(
+        stroke: StrokePositive | None, force: ForcePositive | None
+    ) -> tuple[DamperMotion, list[Finding]]:
+        return read_motion(*columns, stroke_positive=stroke, force_positive=force, name=name)
+
+    motion, findings = read(stroke_positive, force_positive)
+    speed = np.abs(motion.velocity)
+    shows_rest = float(np.mean(speed < _NEAR_REST * np.median(speed))) > _SHARE_NEAR_REST
+    if stroke_positive is None and force_positive is None and shows_rest:
+        gas = static_force(motion.displacement, motion.velocity, motion.force)
+        if (
+            gas.interval
+            and gas.interval[1] < 0.0
+            and any(item.code == "identify.signs_of_gas" for item in findings)
+        ):
+            motion, findings = read("extension", "tension")
+            findings.append(
+                finding("dampers.both_signs_reversed", name, gas.value, pull=-gas.value)
+            )
+    findings = [
+        item
+        for item in findings
+        if item.severity != "note" or not item.code.startswith("identify.")
+    ]
+    cycles = cycle_numbers(motion.displacement)
+    kind = _kind(motion, cycles)
+    run = ReadRun(name, settings, motion, kind, cycles, acceleration_of(motion), findings)
+    if kind in ("sine", "crank", "triangle"):
+        strokes = _strokes(run)
+        uneven = float(np.ptp(strokes) / strokes.mean())
+        if uneven > _UNEVEN:
+            findings.append(finding("dampers.not_steady", name, uneven, share=uneven))
+    return run
+
+
+def _kind(motion: DamperMotion, cycles: NDArray[np.int64]) -> MotionKind:
+    """Tell what drove a damper from the shape of its stroke."""
+    inside = cycles >= 0
+    if motion.cycles < 2.0 or inside.all():
+        return "ramp" if motion.cycles < 2.0 else "random"
+    speed = np.abs(motion.velocity[inside])
+    peak = float(np.quantile(speed, 0.99))
+    if float(np.median(speed)) > _STEADY * peak:
+        return "triangle"
+    x, count = motion.displacement[inside], int(cycles.max()) + 1
+    starts = np.flatnonzero(np.diff(cycles[inside], prepend=-1))
+    lengths = np.diff(starts, append=inside.sum())
+    phase = (
+        2.0
+        * math.pi
+        * (np.arange(len(x)) - np.repeat(starts, lengths))
+        / np.repeat(lengths, lengths)
+    )
+    harmonics = [abs(np.mean((x - x.mean()) * np.exp(-1j * k * phase))) for k in (1, 2)]
+    share = 2.0 * (harmonics[0] ** 2 + harmonics[1] ** 2) / float(np.var(x))
+    if count < 1 or share < _SINE:
+        return "random"
+    return "crank" if harmonics[1] > _SECOND * harmonics[0] else "sine"
+
+
+def _strokes(run: ReadRun) -> Array:
+    x = run.motion.displacement
+    return run.largest(x) + run.largest(-x)
+
+
+def peak_forces(run: ReadRun) -> tuple[Array, Array]:
+    """Return velocity (m/s) and force (N) at peak velocity, in bump and in rebound, of each cycle: (2, cycles)."""
+    velocity, force = np.full((2, run.count), np.nan), np.full((2, run.count), np.nan)
+    first, last = run.starts[0], run.starts[-1]
+    cycles = run.cycles[first:last]
+    for side, sign in enumerate((1.0, -1.0)):
+        speed = sign * run.motion.velocity
+        near = np.flatnonzero(speed[first:last] > (1.0 - PEAK) * run.largest(speed)[cycles])
+        number = np.bincount(cycles[near], minlength=run.count)
+        for values, means in ((run.motion.velocity, velocity), (run.motion.force, force)):
+            means[side] = np.bincount(cycles[near], values[first + near], minlength=run.count)
+            means[side] /= np.where(number > 0, number, np.nan)
+    return velocity, force
+
+
+def summary_of(run: ReadRun) -> DynoRun:
+    """Sum up a record; a force that fades is a finding."""
+    motion = run.motion
+    _, force = peak_forces(run)
+    fade = _fade(force)
+    if fade.interval and abs(fade.value) > _FADES and not fade.has(0.0):
+        run.findings.append(finding("dampers.fades", run.file, fade.value, change=fade.value))
+    inside = run.cycles >= 0
+    work = float(np.trapezoid(motion.force[inside], motion.displacement[inside]))
+    bump, rebound = (_of_cycles(side) for side in force)
+    return DynoRun(
+        run.file, dict(run.settings), run.kind, motion.stroke, run.peak, run.count,
+        motion.signs.stroke_positive, motion.signs.force_positive,
+        bump, rebound, fade, work / run.count,
+    )  # fmt: skip
+
+
+def _of_cycles(values: Array) -> Estimate:
+    """Estimate the mean of cycles; neighbours are not independent, so their scatter about a line counts."""
+    known = values[np.isfinite(values)]
+    if len(known) < 3:
+        return Estimate(float(known.mean()) if len(known) else math.nan)
+    return estimate(
+        float(known.mean()), float(known.std(ddof=1)) / math.sqrt(len(known)), len(known) - 1
+    )
+
+
+def _fade(force: Array) -> Estimate:
+    """Estimate the change of the force from the first cycle to the last, as a share of its mean."""
+    size = mean_of(np.abs(force))
+    known = np.flatnonzero(np.isfinite(size))
+    if len(known) < 5:
+        return Estimate(0.0)
+    place, share = known - known.mean(), size[known] / size[known].mean()
+    power = float(place @ place)
+    slope = float(place @ share) / power
+    rest = share - 1.0 - slope * place
+    span = float(np.ptp(known))
+    error = math.sqrt(float(rest @ rest) / (len(known) - 2) / power)
+    return estimate(slope * span, error * span, len(known) - 2)
+
+
+def left_out(path: str | Path, error: JounceError) -> Finding:
+    """Report a file that cannot be used."""
+    return finding("dampers.file_left_out", Path(path).name, error=error)

@@ -1,0 +1,42 @@
+"""Small tables of texts and numbers, as people type them: text files and the first sheet of a workbook."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from pathlib import Path
+
+from jounce.core.columns import text_of
+from jounce.core.errors import RecordingError
+from jounce.core.files import reading
+
+
+def cells_of_file(file: Path) -> list[list[str]]:
+    """Read the cells of a text file or of the first sheet of a workbook as texts with decimal points."""
+    if file.suffix.lower() == ".xlsx":
+        from jounce.core.optional import require
+
+        with reading(file, RecordingError):
+            book = require("openpyxl", "io").load_workbook(file, read_only=True, data_only=True)
+            sheet = book.worksheets[0]
+            cells = [
+                ["" if cell is None else str(cell) for cell in row]
+                for row in sheet.iter_rows(values_only=True)
+            ]
+    else:
+        return cells_of_text(text_of(file))
+    return _with_points(cells)
+
+
+def cells_of_text(text: str) -> list[list[str]]:
+    """Split a text at tabs or semicolons if most of its lines have them, else at commas."""
+    lines = [line for line in text.splitlines() if line.strip()]
+    separator = next(
+        (mark for mark in ";\t" if 2 * sum(mark in line for line in lines) > len(lines)), ","
+    )
+    return _with_points(list(csv.reader(io.StringIO(text), delimiter=separator)))
+
+
+def _with_points(cells: list[list[str]]) -> list[list[str]]:
+    return [[re.sub(r"(?<=\d),(?=\d)", ".", cell) for cell in row] for row in cells]
