@@ -232,7 +232,8 @@ def _at_rest(
     """
     slowest = min(runs, key=lambda run: run.peak)
     for fastest in _SLOW[1:]:
-        gas, friction = [], []
+        gas: list[Estimate] = []
+        friction: list[Estimate] = []
         for run in runs:
             ends = [
                 _intercepts(
@@ -271,7 +272,7 @@ def _intercepts(
     force = motion.force[near] - stiffness * motion.displacement[near]
 
     def total(weights: Array) -> Array:
-        return np.bincount(cycles, weights, minlength=run.count)
+        return np.bincount(cycles, weights, minlength=run.count).astype(float)
 
     powers = np.stack([total(share**k) for k in range(5)])
     loads = np.stack([total(force * share**k) for k in range(3)])

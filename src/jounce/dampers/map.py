@@ -221,7 +221,8 @@ class DamperMap(Plain):
         for k in range(1, len(known) - 1):
             share = (known[k] - known[k - 1]) / (known[k + 1] - known[k - 1])
             errors.append(force[k] - (1.0 - share) * force[k - 1] - share * force[k + 1])
-        return np.sqrt(np.mean(np.square(errors), axis=0)) / 4.0
+        bow: Array = np.sqrt(np.mean(np.square(errors), axis=0)) / 4.0
+        return bow
 
     def table(self) -> str:
         """Write velocities, forces and their intervals of all settings as CSV, SI."""

@@ -11,6 +11,7 @@ from jounce.core.numbers import number
 from jounce.plots.figures import PALETTE, in_style, legend_above, new_figure
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from jounce.dampers.map import DamperMap, DamperSetting
@@ -96,7 +97,7 @@ def setting_words(item: DamperSetting) -> str:
     )
 
 
-def _over_clicks(axes, result: DamperMap, force: float, speed: float, unit: str) -> None:  # noqa: ANN001
+def _over_clicks(axes: Axes, result: DamperMap, force: float, speed: float, unit: str) -> None:
     """Draw the force over clicks at velocities spread over the measured ones."""
     velocity = result.velocity
     ends = max(-float(velocity[0]), 0.0), max(float(velocity[-1]), 0.0)
