@@ -88,10 +88,10 @@ def test_a_bump_under_the_left_wheels_moves_the_car_as_in_maximal_coordinates() 
     for i, (name, scale) in enumerate((("z", 1.0), ("pitch", 1.0), ("roll", 1.0))):
         ours = run[f"body.{name}"].values[::10]
         assert np.ptp(ours) > 0.004 * scale
-        assert ours == pytest.approx(body[:, i], abs=2e-6), name
+        assert ours == pytest.approx(body[:, i], abs=1e-9), name
     for i, place in enumerate(("front_left", "front_right", "rear_left", "rear_right")):
         ours = run[f"{place}.unsprung.z"].values[::10]
-        assert ours == pytest.approx(wheels[:, i], abs=2e-6), place
+        assert ours == pytest.approx(wheels[:, i], abs=1e-9), place
 
 
 def test_without_dampers_the_energy_after_a_bump_stays() -> None:
