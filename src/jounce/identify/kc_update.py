@@ -105,7 +105,7 @@ class KcUpdate(Plain):
     """
 
     rig: Rig
-    parameters: Annotated[Mapping[str, Estimate], Shows("Parameters", lambda r: r.units)]
+    parameters: Annotated[Mapping[str, Estimate], Shows("", lambda r: r.units)]
     before: Mapping[str, float]
     undetermined: tuple[str, ...]
     identifiability: Identifiability

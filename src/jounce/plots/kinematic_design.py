@@ -152,7 +152,10 @@ def sensitivity_bars(design: KinematicDesign) -> Figure:
         axes.set_title(target.label, loc="left")
     for axes in grid[len(targets) :]:
         axes.set_visible(False)
-    what = f"change by 1 {unit.name} towards +x, +y, +z, in tolerances of the target (the largest over its curve)"
+    what = (
+        f"change by 1 {unit.name} towards +x, +y, +z,\n"
+        "in tolerances of the target (the largest over its curve)"
+    )
     left_out = len(design.targets) - len(targets)
     figure.supxlabel(
         what + (f"\n{left_out} more targets in the table of sensitivities" if left_out else ""),

@@ -112,7 +112,7 @@ def kinematic_design_page(
         Section("Answer", tuple(answer)),
         Section("Targets", (drawn["targets"],)),
         Section("Curves", lambda: _curves(design, title)),
-        Section("Geometry", tuple(geometry)),
+        *([Section("Geometry", tuple(geometry))] if geometry else []),  # dependent axles have none
         Section("Moved", (_changes(design), _directions(design))),
         Section("Sensitivity", (drawn["sensitivity"],)),
     ]

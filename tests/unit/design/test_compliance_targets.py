@@ -10,6 +10,7 @@ import pytest
 import jounce as jn
 from jounce.core.errors import DescriptionError
 from jounce.design.kinematics import read_task
+from jounce.report.kinematic_design import kinematic_design_page
 
 ELASTIC = "mcpherson-elastic"
 STIFFNESS = "bushings.lower_arm_front.stiffness[0]"
@@ -78,6 +79,9 @@ def test_a_twist_beam_is_designed_to_its_roll_steer() -> None:
     line = jn.kc_slopes(run, within=float(design.targets[0].at[1])).set_index(quantity="quantity")
     assert float(line["slope"].sel(quantity="left.steer")) == pytest.approx(-0.05, abs=1e-3)
     assert design.moved["hardpoints.pivot[2]"].after > 0.31
+    titles = [section.title for section in kinematic_design_page(design, title="x").sections]
+    assert "Targets" in titles
+    assert "Geometry" not in titles  # it has no centres to draw
 
 
 def test_stiffnesses_of_bushings_spread_rows_of_the_sheet() -> None:

@@ -28,6 +28,7 @@ def test_an_exact_sheet_gives_its_numbers() -> None:
         assert fit.rig.parameters()[path] == estimate.value
     toe = next(curve for curve in fit.curves if curve["quantity"] == "left.toe")
     assert toe["after"] < 0.05 * toe["before"]
+    assert f"{HEIGHT} " in str(fit)
 
 
 def test_ten_rows_of_dial_gauges_are_enough() -> None:
