@@ -64,7 +64,6 @@ from .core.serialise import Plain as Plain
 from .core.serialise import plain_table as plain_table
 from .core.writing import write_files as write_files
 from .dampers.files import UnreadFile as UnreadFile
-from .dampers.files import chosen_dyno_files as chosen_dyno_files
 from .dampers.map import CurveAt as CurveAt
 from .dampers.map import DamperMap as DamperMap
 from .dampers.map import DamperSetting as DamperSetting

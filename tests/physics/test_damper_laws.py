@@ -12,6 +12,7 @@ from jounce.parts.dampers import (
     BilinearDamper,
     BlowOffDamper,
     BoucWenDamper,
+    ClickDamper,
     DamperLaw,
     LinearDamper,
     MapDamper,
@@ -38,6 +39,16 @@ LAWS_OF_VELOCITY = {
         velocity=(-1.0, -0.2, 0.0, 0.1, 1.0), force=(-900.0, -500.0, 0.0, 200.0, 500.0)
     ),
     "tanh": TanhDamper(coefficient=300.0, force=250.0, slope=12.0),
+    "clicks": ClickDamper(
+        clicks=3.0,
+        measured_clicks=(0.0, 2.0, 8.0),
+        velocity=(-1.0, -0.2, 0.0, 0.1, 1.0),
+        force=(
+            (-900.0, -500.0, 0.0, 200.0, 500.0),
+            (-800.0, -400.0, 0.0, 150.0, 450.0),
+            (-500.0, -200.0, 0.0, 90.0, 400.0),
+        ),
+    ),
 }
 EVERY = {
     **LAWS_OF_VELOCITY,
@@ -155,7 +166,8 @@ def test_energy_of_tables_and_of_what_is_no_law():
 def test_every_law_is_read_fitted_and_found_in_a_rig():
     """A new law has its rows: the union of rig files, and the laws of fits but tables, which fits do not give."""
     kinds = {law.model_fields["kind"].default for law in DamperLaw.__subclasses__()}
-    assert set(_DESCRIBED.values()) == set(DamperLaw.__subclasses__()) - {VelocityTable, MapDamper}
+    tables = {VelocityTable, MapDamper, ClickDamper}
+    assert set(_DESCRIBED.values()) == set(DamperLaw.__subclasses__()) - tables
     assert set(LAWS) == {*_DESCRIBED, "polynomial"}
     for law in (*EVERY.values(), *LAWS_OF_VELOCITY.values()):
         assert as_damper(law.model_dump()) == law

@@ -24,6 +24,7 @@ from jounce.recordings.options import (
     VARIABLE,
     RecordFile,
     chosen_file,
+    files_in_python,
 )
 
 if TYPE_CHECKING:
@@ -95,8 +96,7 @@ def dyno_files_in_python(measured: Sequence[str], **options: Any) -> str:
     """
     if not options:
         return repr(list(measured))
-    given = ", ".join(f"{key}={item!r}" for key, item in options.items())
-    return f"jn.chosen_dyno_files({list(measured)!r}, {given})"
+    return files_in_python([str(path) for path in dyno_paths(measured)], **options)
 
 
 def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:

@@ -90,7 +90,7 @@ class CurveAt(Plain):
     Attributes
     ----------
     clicks : float
-        Clicks.
+        Clicks [1].
     velocity, force, low, high : array (n,)
         Velocity (m/s), force without gas (N) and its 95 % interval (N); NaN where it is unknown.
     """

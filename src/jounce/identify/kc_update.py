@@ -8,8 +8,8 @@ measure the same compliance twice (left and right, braking and driving by hub mo
 once. Quantities of a family share its causes, too, a wrong bushing or friction: together they count as the root of
 their number.
 
-Dry friction is simulated beside the smooth model that is fitted: what it adds to each curve is computed anew in each
-round, so that its slopes need not be known.
+Dry friction is simulated beside the smooth model that is fitted. What it adds to each curve is computed anew in each
+round, until it no longer moves the numbers; how it changes with them follows from the rounds before [broyden1965].
 """
 
 from __future__ import annotations
@@ -45,7 +45,8 @@ if TYPE_CHECKING:
 
 _NODES = 11  # inputs at which a curve with many samples is compared
 _MANY = 60  # different inputs above which the curve is averaged between those
-_ROUNDS, _STEPS = 4, 8  # of estimating the shares of model error, and of the search within each
+_ROUNDS, _STEPS = 12, 8  # of friction and shares of model error, and of the search within each
+_SETTLED = 0.1  # of a standard error: a renewed friction that moves numbers by less has settled
 _TIGHT = 1e-3  # of an interval's half width: a change of parameters that ends the search
 _START, _LEAST, _MOST = 0.02, 0.01, 1.0  # shares of model error: first guess and limits
 _USUAL, _SPREAD = (
@@ -58,6 +59,8 @@ _STUCK, _ROUGH = (
     0.15,
     0.1,
 )  # of a loop's opening: error of its mean curve by friction that sticks, smooth and rough
+_RUBBED = 0.1
+"""Error of what friction adds to a curve, as a share: of its force, and of slopes that the smooth model has instead."""
 _TOLD = 0.7  # of the standard deviation before the fit, above which the data do not determine a parameter
 _WIDER = 1.2  # intervals over those of the linear theory: what virtual rigs with friction and a wrong curve needed
 _LARGE = 0.10  # share of model error that is reported
@@ -198,7 +201,8 @@ def update_kc(
 
     References
     ----------
-    Harville (1977), Journal of the American Statistical Association 72, 320-338.
+    Harville (1977), Journal of the American Statistical Association 72, 320-338; Broyden (1965), Mathematics of
+    Computation 19, 577-593.
 
     Examples
     --------
@@ -559,7 +563,8 @@ class _Problem:
         self.family = np.concatenate(
             [np.full(c.basis.shape[1], self.families.index(c.family)) for c in curves]
         )
-        self.rubbed = model.friction(model.start, curves)
+        self.rubbed, self.rubbed_at = model.friction(model.start, curves), np.zeros(len(box))
+        self.rubbing = [np.zeros((len(curve.inputs), len(box))) for curve in curves]
         self.wanted: dict[str, dict[str, Array]] = {}
         for curve in curves:
             self.wanted.setdefault(curve.test, {})[curve.quantity] = curve.inputs
@@ -569,7 +574,8 @@ class _Problem:
         tangents = self.model.at(self.model.start + x * self.half)
         parts, slopes, sizes = [], [], []
         done: dict[tuple[str, bytes], tuple[dict[str, Array], dict[str, Array]]] = {}
-        for curve, rubbed in zip(self.curves, self.rubbed, strict=True):
+        moved = x - self.rubbed_at
+        for curve, rubbed, rubbing in zip(self.curves, self.rubbed, self.rubbing, strict=True):
             key = curve.test, curve.inputs.tobytes()
             if key not in done:
                 names = [
@@ -578,15 +584,41 @@ class _Problem:
                 ]  # fmt: skip
                 done[key] = self.model.curves(tangents, curve.test, curve.inputs, names)
             values, changes = (part[curve.quantity] for part in done[key])
-            off = curve.basis.T @ (curve.values - rubbed - values)
+            off = curve.basis.T @ (curve.values - rubbed - rubbing @ moved - values)
             parts.append(off)
-            slopes.append(curve.basis.T @ changes * self.half)
+            slopes.append(curve.basis.T @ (changes * self.half + rubbing))
             sizes.append(float(np.sqrt(off @ off / len(curve.inputs))))
         return np.concatenate(parts), np.concatenate(slopes), sizes
+
+    def renew_friction(self, x: Array) -> Array:
+        """Simulate friction at these numbers; return by how much the differences grow beyond what was expected."""
+        moved = x - self.rubbed_at
+        length = float(moved @ moved)
+        new = self.model.friction(self.model.start + x * self.half, self.curves)
+        more = []
+        for k, curve in enumerate(self.curves):
+            beyond = new[k] - self.rubbed[k] - self.rubbing[k] @ moved
+            if length > 0.0:
+                self.rubbing[k] += np.outer(beyond, moved) / length
+            more.append(curve.basis.T @ beyond)
+        self.rubbed, self.rubbed_at = new, x
+        return np.concatenate(more)
+
+    def covariance(self, shares: Array, slopes: Array) -> tuple[Array, Array]:
+        """Return the weights of the differences and the covariance of the scaled numbers."""
+        weight = 1.0 / self.variance(shares)
+        told = slopes.T @ (weight[:, None] * slopes)
+        return weight, np.asarray(np.linalg.inv(told + np.eye(len(self.half)) / self.prior**2))
 
     def variance(self, shares: Array, *, alone: bool = False) -> Array:
         """Return the variance of each component; not ``alone``, curves with the same model error share their weight."""
         error = self.friction + shares[self.family] ** 2 * self.spread
+        error = error + np.concatenate(
+            [
+                (_RUBBED * (curve.basis.T @ rubbed)) ** 2
+                for curve, rubbed in zip(self.curves, self.rubbed, strict=True)
+            ]
+        )
         return np.asarray(self.noise + error * (1.0 if alone else self.copies))
 
     def likely(self, off: Array, slopes: Array) -> Array:
@@ -655,14 +687,20 @@ class _Problem:
         for _ in range(_ROUNDS):
             before = shares
             x, last = self.search(x, shares)
-            self.rubbed = self.model.friction(self.model.start + x * self.half, self.curves)
+            more = self.renew_friction(x)
             shares = self.likely(last[0] + last[1] @ x, last[1])
-            if np.all(np.abs(np.log(shares / before)) < 0.05):
+            weight, covariance = self.covariance(shares, last[1])
+            unsettled = np.abs(covariance @ (last[1].T @ (weight * more)))
+            is_settled = bool(np.all(unsettled < _SETTLED * np.sqrt(np.diag(covariance))))
+            if is_settled and np.all(np.abs(np.log(shares / before)) < 0.05):
                 break
         x, last = self.search(x, shares)
-        weight = 1.0 / self.variance(shares)
-        told = last[1].T @ (weight[:, None] * last[1])
-        covariance = np.linalg.inv(told + np.eye(len(x)) / self.prior**2)
+        weight, covariance = self.covariance(shares, last[1])
+        if not is_settled:
+            findings.append(
+                finding("identify.kc_friction_unsettled", "friction", _ROUNDS, rounds=_ROUNDS)
+            )
+        covariance += np.diag(unsettled**2)
         error = _WIDER * np.sqrt(np.diag(covariance))
         is_told = error < _TOLD * self.prior
         freedom = self._freedom(weight, last[1], covariance)

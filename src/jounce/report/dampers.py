@@ -62,8 +62,14 @@ def damper_map_page(result: DamperMap, *, title: str) -> Page:
         Bullets((f"damper = {rig_table(result.damper)}", *_friction(result))),
     ]
     return answer_page(
-        title, blocks, f"{len(result.settings)} settings, {len(result.runs)} records"
+        title,
+        blocks,
+        f"{_counted(len(result.settings), 'setting')}, {_counted(len(result.runs), 'record')}",
     )
+
+
+def _counted(number: int, word: str) -> str:
+    return f"{number} {word}" if number == 1 else f"{number} {word}s"
 
 
 def _friction(result: DamperMap) -> tuple[str, ...]:

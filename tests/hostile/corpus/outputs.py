@@ -165,6 +165,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ),
         **dict.fromkeys(((one, "--figure") for one in ("kinematics", "load-cases")), ("",)),
         ("load-cases", "--out"): (".csv",),
+        ("damper map", "--out"): (".csv",),
     }
     usual = {
         "--figure": tuple(FIGURES.writers),

@@ -61,3 +61,23 @@ def test_a_spring_beside_friction_is_found(start: jn.Rig) -> None:
     assert estimate.has(truth.parameters()[SPRING])
     named = {item.code for item in fit.findings}
     assert ("identify.kc_friction_estimated" in named) == (start is RIG)
+
+
+def test_friction_that_holds_the_wheel_does_not_draw_the_numbers_towards_it() -> None:
+    """Under aligning moments the wheel moves vertically by 30 µm, a fifth of what it would without friction."""
+    rig = jn.load("mcpherson-elastic")
+    point, mount = "hardpoints.tie_rod_inner[2]", "subframe.mounts[0].stiffness[2]"
+    truth = {
+        point: rig.hardpoints.tie_rod_inner[2] + 0.0025,
+        mount: 0.8 * rig.parameters()[mount],
+    }
+    changed = rig.with_changes(truth)
+    tests = ("bounce", "lateral-in-phase", "aligning-opposed")
+    sheet = {test: jn.kc_test(changed, test, points=21) for test in tests}
+    for names, free in ((tests, {point: "5 mm", mount: "50 %"}), (tests[2:], {point: "5 mm"})):
+        fit = jn.update_kc(rig, {name: sheet[name] for name in names}, free)
+        assert all(estimate.has(truth[path]) for path, estimate in fit.parameters.items())
+        assert "identify.kc_friction_unsettled" not in {item.code for item in fit.findings}
+        if names == tests:
+            assert abs(fit.parameters[point].value - truth[point]) < 1e-4
+            assert fit.parameters.keys() == {point}  # the mount moves nothing by a micrometre

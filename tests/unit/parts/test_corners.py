@@ -434,7 +434,7 @@ def test_a_missing_hardpoint_is_named():
         ),
         (
             {"strut.damper": {"kind": "maps"}},
-            "unknown kind 'maps'; allowed: linear, bilinear, blow-off, table, tanh, bouc-wen, map",
+            "unknown kind 'maps'; allowed: linear, bilinear, blow-off, table, clicks, tanh, bouc-wen, map",
         ),
         (
             {"hardpoints.strut_topp[0]": 1.0},

@@ -198,7 +198,7 @@ DAMPER = "strut.damper"
         ),
         (
             {"kind": "tanhh", "coefficient": 1.0},
-            "'tanhh'; allowed: linear, bilinear, blow-off, table, tanh, bouc-wen.*'tanh'",
+            "'tanhh'; allowed: linear, bilinear, blow-off, table, clicks, tanh, bouc-wen.*'tanh'",
         ),
         (
             {"coefficient": 1.0, "bump_coefficient": 2.0, "rebound_coefficient": 2.0},
