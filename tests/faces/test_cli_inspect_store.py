@@ -346,7 +346,10 @@ def test_watch_ends_cleanly_when_asked_to(lane, tmp_path: Path, how: signal.Sign
     assert process.stdout.readline().startswith("accepted 1 ")
     process.send_signal(how)
     out, err = process.communicate(timeout=30)
-    assert (process.returncode, out.strip(), err) == (0, "1 new, 0 already known", "")
+    said = [
+        line for line in err.splitlines() if not line.startswith("reading ")
+    ]  # on a loaded machine
+    assert (process.returncode, out.strip(), said) == (0, "1 new, 0 already known", [])
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="importers are forked")
