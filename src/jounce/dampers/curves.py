@@ -12,7 +12,7 @@ import numpy as np
 from jounce.core.findings import Finding, finding
 from jounce.core.types import Array
 from jounce.dampers.loops import Loops, error_of, loops_of, mean_of
-from jounce.dampers.runs import PEAK, ReadRun, peak_forces
+from jounce.dampers.runs import PEAK, ReadRun
 from jounce.identify.estimate import Estimate, at_least_zero, combine, estimate, student_factor
 from jounce.identify.signs import static_force
 
@@ -302,7 +302,7 @@ def _levels(runs: Sequence[ReadRun]) -> list[list[ReadRun]]:
 def _peak_points(runs: Sequence[ReadRun]) -> tuple[Array, tuple[Estimate, ...]]:
     points: list[tuple[float, Estimate]] = []
     for level in _levels(runs):
-        read = [peak_forces(run) for run in level]
+        read = [run.peak_forces for run in level]
         for side in (0, 1):
             velocity = float(np.mean([mean_of(v[side]) for v, _ in read]))
             points.append((velocity, combine([_of_cycles(f[side]) for _, f in read])))
@@ -342,7 +342,7 @@ def _repeatability(runs: Sequence[ReadRun]) -> float | None:
         if len(level) < 2:
             continue
         for side in (0, 1):
-            means = np.array([mean_of(peak_forces(run)[1][side]) for run in level])
+            means = np.array([mean_of(run.peak_forces[1][side]) for run in level])
             squares += float(np.var(means) * len(means) / np.mean(means) ** 2)
             freedom += len(means) - 1
     return math.sqrt(squares / freedom) if freedom else None

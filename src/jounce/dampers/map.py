@@ -26,7 +26,7 @@ from jounce.dampers.files import (
     settings_of,
 )
 from jounce.dampers.loops import mean_of
-from jounce.dampers.runs import DynoRun, ReadRun, left_out, peak_forces, read_run, summary_of
+from jounce.dampers.runs import DynoRun, ReadRun, left_out, read_run, summary_of
 from jounce.identify.estimate import Estimate, student_factor
 from jounce.identify.signs import ForcePositive, StrokePositive, static_force
 
@@ -424,7 +424,7 @@ def _is_turned(name: str, points: Mapping[str, Array]) -> bool:
 
 def _net_peaks(run: ReadRun) -> Array:
     """Return peak velocities (m/s) in rebound and bump, and their forces without a static force (N): (2, 2)."""
-    velocity, force = (mean_of(item.T)[::-1] for item in peak_forces(run))
+    velocity, force = (mean_of(item.T)[::-1] for item in run.peak_forces)
     motion = run.motion
     rest = (
         static_force(motion.displacement, motion.velocity, motion.force).value
@@ -453,7 +453,7 @@ def _usual(velocity: Array, known: Array, force: Array) -> Array:
     return usual
 
 
-_ROUNDS = 20  # of reweighting
+_ROUNDS = 10  # of reweighting
 
 
 def _with_rest(velocity: Array, force: Array) -> tuple[Array, Array]:

@@ -112,6 +112,21 @@ class ReadRun:
         speed = np.abs(self.motion.velocity)
         return float(np.mean(speed < _NEAR_REST * self.peak)) > _SHARE_NEAR_REST
 
+    @cached_property
+    def peak_forces(self) -> tuple[Array, Array]:
+        """Velocity (m/s) and force (N) at peak velocity, in bump and in rebound, of each cycle: (2, cycles)."""
+        velocity, force = np.full((2, self.count), np.nan), np.full((2, self.count), np.nan)
+        first, last = self.starts[0], self.starts[-1]
+        cycles = self.cycles[first:last]
+        for side, sign in enumerate((1.0, -1.0)):
+            speed = sign * self.motion.velocity
+            near = np.flatnonzero(speed[first:last] > (1.0 - PEAK) * self.largest(speed)[cycles])
+            number = np.bincount(cycles[near], minlength=self.count)
+            for values, means in ((self.motion.velocity, velocity), (self.motion.force, force)):
+                means[side] = np.bincount(cycles[near], values[first + near], minlength=self.count)
+                means[side] /= np.where(number > 0, number, np.nan)
+        return velocity, force
+
     def largest(self, values: Array) -> Array:
         """Return the largest value in each cycle."""
         largest: Array = np.maximum.reduceat(values[: self.starts[-1]], self.starts[:-1])
@@ -143,15 +158,12 @@ def read_run(
         return read_motion(*columns, stroke_positive=stroke, force_positive=force, name=name)
 
     motion, findings = read(stroke_positive, force_positive)
-    speed = np.abs(motion.velocity)
-    shows_rest = float(np.mean(speed < _NEAR_REST * np.median(speed))) > _SHARE_NEAR_REST
-    if stroke_positive is None and force_positive is None and shows_rest:
+    neither_is_stated = stroke_positive is None and force_positive is None
+    if neither_is_stated and any(item.code == "identify.signs_of_gas" for item in findings):
+        speed = np.abs(motion.velocity)
         gas = static_force(motion.displacement, motion.velocity, motion.force)
-        if (
-            gas.interval
-            and gas.interval[1] < 0.0
-            and any(item.code == "identify.signs_of_gas" for item in findings)
-        ):
+        shows_rest = float(np.mean(speed < _NEAR_REST * np.median(speed))) > _SHARE_NEAR_REST
+        if shows_rest and gas.interval and gas.interval[1] < 0.0:
             motion, findings = read("extension", "tension")
             findings.append(
                 finding("dampers.both_signs_reversed", name, gas.value, pull=-gas.value)
@@ -202,25 +214,10 @@ def _strokes(run: ReadRun) -> Array:
     return run.largest(x) + run.largest(-x)
 
 
-def peak_forces(run: ReadRun) -> tuple[Array, Array]:
-    """Return velocity (m/s) and force (N) at peak velocity, in bump and in rebound, of each cycle: (2, cycles)."""
-    velocity, force = np.full((2, run.count), np.nan), np.full((2, run.count), np.nan)
-    first, last = run.starts[0], run.starts[-1]
-    cycles = run.cycles[first:last]
-    for side, sign in enumerate((1.0, -1.0)):
-        speed = sign * run.motion.velocity
-        near = np.flatnonzero(speed[first:last] > (1.0 - PEAK) * run.largest(speed)[cycles])
-        number = np.bincount(cycles[near], minlength=run.count)
-        for values, means in ((run.motion.velocity, velocity), (run.motion.force, force)):
-            means[side] = np.bincount(cycles[near], values[first + near], minlength=run.count)
-            means[side] /= np.where(number > 0, number, np.nan)
-    return velocity, force
-
-
 def summary_of(run: ReadRun) -> DynoRun:
     """Sum up a record; a force that fades is a finding."""
     motion = run.motion
-    _, force = peak_forces(run)
+    _, force = run.peak_forces
     fade = _fade(force)
     if fade.interval and abs(fade.value) > _FADES and not fade.has(0.0):
         run.findings.append(finding("dampers.fades", run.file, fade.value, change=fade.value))
