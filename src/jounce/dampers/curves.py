@@ -161,7 +161,10 @@ def _lag_and_stiffness(
 ) -> tuple[Estimate, Estimate]:
     columns, gaps = [], []
     curve = mean_of(np.stack([mean_of(loop.both) for loop in loops]))
-    slope, size = _slopes(velocity, curve), float(np.nanmax(np.abs(curve)))
+    slope, size = (
+        _slopes(velocity, curve),
+        float(np.abs(curve[np.isfinite(curve)]).max(initial=0.0)),
+    )
     for run, loop in zip(runs, loops, strict=True):
         gap = loop.force[:, 0] - loop.force[:, 1]
         mean, error = mean_of(gap), np.nan_to_num(error_of(gap))
@@ -318,7 +321,7 @@ def _continuous_points(
         known = [
             _of_cycles(loop.both[:, k])
             for run, loop in zip(runs, loops, strict=True)
-            if abs(at) < _REACH * run.peak and np.isfinite(loop.both[:, k]).sum() >= 3
+            if abs(at) < _REACH * run.peak and np.isfinite(loop.both[:, k]).any()
         ]
         if known:
             velocity.append(float(at))
@@ -357,7 +360,7 @@ def _name_dead_travel(
     loop = loops_of(run.motion, run.cycles, velocity, width, acceleration=run.acceleration)
     rising, falling = mean_of(loop.force) - gas
     missing = (rising / falling < _DEAD) & (
-        np.abs(falling - rising) > _MISSING * np.nanmax(np.abs(falling))
+        np.abs(falling - rising) > _MISSING * np.abs(np.nan_to_num(falling)).max()
     )
     for side, sign in (("bump", 1.0), ("rebound", -1.0)):
         places = np.flatnonzero(

@@ -105,12 +105,12 @@ def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:
     Raises
     ------
     RecordingError
-        If a folder has no such file.
+        If a named file does not exist, or a folder has no such file.
     """
     paths: list[Path] = []
     for path in matching_files([str(name) for name in measured], "FILE"):
         if not path.is_dir():
-            paths.append(path)
+            paths.append(existing_file(path, RecordingError))
             continue
         inside = sorted(
             item

@@ -36,9 +36,11 @@ class Loops:
 
     @property
     def both(self) -> Array:
-        """Mean of rising and falling speed in each cycle (cycles, k): lag and gas stiffness cancel in it."""
-        mean: Array = self.force.mean(axis=1)
-        return mean
+        """Mean of rising and falling speed in each cycle (cycles, k), in which lag and gas stiffness cancel.
+
+        Parts of a record without cycles may have one of them only.
+        """
+        return mean_of(np.moveaxis(self.force, 1, 0))
 
 
 def mean_of(values: Array) -> Array:

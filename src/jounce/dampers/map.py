@@ -6,11 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, FitError, JounceError
+from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Mark, operation
 from jounce.core.phrases import Phrase
@@ -331,6 +331,8 @@ def damper_map(
     >>> made.reading, [round(force, -1) for force in made.settings[0].force[[0, -1]]]
     ('peak', [-420.0, 210.0])
     """
+    if reading not in (None, *get_args(Reading)):
+        raise unknown(str(reading), get_args(Reading), what="reading", where="reading")
     table = read_settings(settings)
     findings: list[Finding] = []
     runs: list[ReadRun] = []
@@ -361,10 +363,18 @@ def damper_map(
     used = [run for group in alike.values() for run in group]
     chosen = reading or usual_reading(list(alike.values()))
     largest = max(run.peak for run in used)
-    curves = [
-        _setting(key, group, curve_of(group, chosen, largest, findings))
-        for key, group in sorted(alike.items(), key=lambda pair: dict(pair[0]).get("clicks", 0.0))
-    ]
+    curves: list[DamperSetting] = []
+    for key, group in sorted(alike.items(), key=lambda pair: dict(pair[0]).get("clicks", 0.0)):
+        curve = curve_of(group, chosen, largest, findings)
+        if len(curve.velocity) > 1:
+            curves.append(_setting(key, group, curve))
+        else:
+            findings.append(finding("dampers.no_curve", group[0].file))
+    if not curves:
+        raise FitError(
+            "no setting has enough cycles for a curve", where="files", found=runs[0].file,
+            allowed="three cycles at each velocity",
+        )  # fmt: skip
     summaries = tuple(summary_of(run) for run in used)
     findings += [item for run in used for item in run.findings]
     if len(curves) > 1 and any("clicks" not in item.settings for item in curves):

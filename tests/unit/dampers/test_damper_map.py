@@ -262,6 +262,8 @@ def test_settings_in_names():
 def test_nothing_to_read_is_refused(tmp_path: Path):
     with pytest.raises(RecordingError, match="no records in this folder"):
         jn.damper_map(tmp_path)
+    with pytest.raises(RecordingError, match="no such file"):
+        jn.damper_map([tmp_path / "a.csv"])
     (tmp_path / "a.csv").write_text("nothing")
     with pytest.raises(FitError, match="no record of a damper"):
         jn.damper_map(tmp_path)
@@ -307,3 +309,13 @@ def test_without_clicks_nothing_is_interpolated():
     assert np.isnan(
         two.at(2.0).low
     ).all()  # two settings do not tell how the force bends between them
+
+
+def test_an_unknown_reading_is_refused_and_less_than_two_cycles_are_read():
+    rng = np.random.default_rng(7)
+    with pytest.raises(DescriptionError, match="reading"):
+        jn.damper_map(records(ShimDamper(), rng, speeds=(0.2,)), reading="pvp")
+    once = jn.damper_map([jn.RecordFile("once.csv", record(ShimDamper(), 0.2, rng, seconds=1.2))])
+    (item,) = once.settings
+    assert np.isfinite(item.force).all()
+    assert item.low.shape == item.force.shape
