@@ -32,6 +32,7 @@ SUBJECTS = {
     "ride": "Ride comfort and road holding",
     "variants": "Many runs",
     "identify": "Identification and updating",
+    "dampers": "Maps of dampers",
     "campaign": "Bench campaigns",
     "analysis": "Analysis of records",
     "bench": "The bench",

@@ -67,7 +67,7 @@ def cycle_numbers(displacement: Array) -> NDArray[np.int64]:
     length.
 
     >>> cycle_numbers(np.sin(np.linspace(0.0, 6.0 * np.pi, 601)))[[5, 150, 350, 590]].tolist()
-    [-1, 0, 1, -1]
+    [-1, -1, 0, -1]
     """
     side = displacement - 0.5 * float(displacement.max() + displacement.min())
     clear = np.flatnonzero(np.abs(side) > _CLEAR * float(np.ptp(displacement)))

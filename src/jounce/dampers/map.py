@@ -328,8 +328,8 @@ def damper_map(
     ...     return jn.recording(t, channels)
     >>> records = [jn.RecordFile(f"{speed}.csv", sine(speed)) for speed in (0.05, 0.13, 0.26)]
     >>> made = jn.damper_map(records)
-    >>> made.reading, [round(force, -1) for force in made.settings[0].force[[0, -1]]]
-    ('peak', [-420.0, 210.0])
+    >>> made.reading, (made.settings[0].force / made.settings[0].velocity)[[0, -1]].round(-1).tolist()
+    ('peak', [1600.0, 800.0])
     """
     if reading not in (None, *get_args(Reading)):
         raise unknown(str(reading), get_args(Reading), what="reading", where="reading")

@@ -89,9 +89,9 @@ def setting_words(item: DamperSetting) -> str:
     if "clicks" in item.settings:
         words.append(f"{item.settings['clicks']:g} clicks")
     if "temperature" in item.settings:
-        words.append(f"{number(item.settings['temperature'] - 273.15, 3)} °C")
+        words.append(f"{item.settings['temperature'] - 273.15:.3g} °C")
     if "gas_pressure" in item.settings:
-        words.append(f"{number(item.settings['gas_pressure'] / 1e5, 3)} bar")
+        words.append(f"{item.settings['gas_pressure'] / 1e5:.3g} bar")
     return ", ".join(words) or (
         item.files[0] if len(item.files) == 1 else f"{len(item.files)} records"
     )
