@@ -82,4 +82,4 @@ def test_a_pool_of_processes_gives_the_error_of_its_worker() -> None:
         multiprocessing.get_context("spawn").Pool(1) as pool,
         pytest.raises(DrawingError, match=r"a.svg: not drawn; "),
     ):
-        pool.map_async(fail, [1]).get(timeout=60.0)
+        pool.map_async(fail, [1]).get(timeout=240.0)
