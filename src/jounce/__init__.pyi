@@ -63,10 +63,10 @@ from .core.findings import Finding as Finding
 from .core.serialise import Plain as Plain
 from .core.serialise import plain_table as plain_table
 from .core.writing import write_files as write_files
+from .dampers.curves import DamperSetting as DamperSetting
 from .dampers.files import UnreadFile as UnreadFile
 from .dampers.map import CurveAt as CurveAt
 from .dampers.map import DamperMap as DamperMap
-from .dampers.map import DamperSetting as DamperSetting
 from .dampers.map import damper_map as damper_map
 from .dampers.runs import DynoRun as DynoRun
 from .design.adjustment import adjust_rig as adjust_rig

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from jounce.core.findings import Finding, finding
+from jounce.core.results import Shows
+from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.dampers.loops import Loops, error_of, loops_of, mean_of
-from jounce.dampers.runs import PEAK, ReadRun
+from jounce.dampers.runs import PEAK, ReadRun, of_cycles
 from jounce.identify.estimate import Estimate, at_least_zero, combine, estimate, student_factor
 from jounce.identify.signs import static_force
 
@@ -36,16 +38,47 @@ _UNIFORM = math.sqrt(3.0)  # half width of a uniform distribution in standard de
 
 
 @dataclass(frozen=True)
-class SettingCurve:
-    """Force over velocity at one setting, SI; the gas force is taken out, the friction is not."""
+class DamperSetting(Plain):
+    """A damper at one setting.
 
+    Attributes
+    ----------
+    settings : dict of str to float
+        Clicks [1], temperature (K) and gas pressure (Pa) that the records state; empty if they state none.
+    files : tuple of str
+        Names of its records.
+    velocity : array (n,)
+        Velocities, m/s, ascending, bump positive.
+    force, low, high : array (n,)
+        Force (N) without that of the gas, and its 95 % interval; NaN where too few cycles tell one.
+    gas_force, gas_stiffness : Estimate
+        Force of the gas in mid-stroke, N, and its stiffness, N/m; NaN if no record shows it.
+    friction : Estimate
+        Dry friction of the seals, N; NaN if no record shows it.
+    lag : Estimate
+        Delay of the force behind the velocity, s; NaN if no record shows it.
+    repeatability : float or None
+        Scatter of repeated records, as a share of the force [1]; None without repeats.
+    """
+
+    settings: dict[str, float]
+    files: tuple[str, ...]
     velocity: Array
-    force: tuple[Estimate, ...]
-    gas_force: Estimate
-    gas_stiffness: Estimate
-    friction: Estimate
-    lag: Estimate
-    repeatability: float | None
+    force: Array
+    low: Array
+    high: Array
+    gas_force: Annotated[Estimate, Shows("gas force in mid-stroke", "N")]
+    gas_stiffness: Annotated[Estimate, Shows("gas stiffness", "N/m")]
+    friction: Annotated[Estimate, Shows("friction", "N")]
+    lag: Annotated[Estimate, Shows("lag of the force", "s")]
+    repeatability: Annotated[float | None, Shows("scatter of repeats", "%", 2)]
+
+    @property
+    def damper(self) -> dict[str, Any]:
+        """Table to write under ``strut.damper``, SI: gas force and friction are taken out."""
+        friction = np.nan_to_num(self.friction.value)
+        velocity, force = with_rest(self.velocity, self.force - friction * np.sign(self.velocity))
+        return {"kind": "table", "velocity": velocity.tolist(), "force": force.tolist()}
 
 
 def usual_reading(groups: Sequence[Sequence[ReadRun]]) -> Reading:
@@ -59,7 +92,7 @@ def usual_reading(groups: Sequence[Sequence[ReadRun]]) -> Reading:
 
 def curve_of(
     runs: Sequence[ReadRun], reading: Reading, largest: float, findings: list[Finding]
-) -> SettingCurve:
+) -> DamperSetting:
     """Reduce the records of one setting to a curve; ``largest`` is the largest peak velocity of all settings (m/s)."""
     velocity, width = _windows(largest)
     loops, lag, stiffness = _without_lag(runs, velocity, width)
@@ -79,8 +112,18 @@ def curve_of(
             finding("dampers.repeats_differ", place, repeatability, share=repeatability)
         )
     bends = _bends(at, np.array([item.value for item in forces]), narrow)
-    net = tuple(_net(item, gas, bend) for item, bend in zip(forces, bends.tolist(), strict=True))
-    return SettingCurve(at, net, gas, stiffness, at_least_zero(friction), lag, repeatability)
+    net = [_net(item, gas, bend) for item, bend in zip(forces, bends.tolist(), strict=True)]
+    ends = np.array([item.interval or (math.nan, math.nan) for item in net]).reshape(-1, 2)
+    return DamperSetting(
+        dict(runs[0].settings), tuple(run.file for run in runs),
+        at, np.array([item.value for item in net]), ends[:, 0], ends[:, 1],
+        _if_told(gas), _if_told(stiffness), _if_told(at_least_zero(friction)), _if_told(lag), repeatability,
+    )  # fmt: skip
+
+
+def _if_told(value: Estimate) -> Estimate:
+    """Return an estimate with an interval as it is; without one nothing was told, and zero only stands for it."""
+    return value if value.interval is not None else Estimate(math.nan)
 
 
 def _net(force: Estimate, gas: Estimate, bend: float) -> Estimate:
@@ -308,7 +351,7 @@ def _peak_points(runs: Sequence[ReadRun]) -> tuple[Array, tuple[Estimate, ...]]:
         read = [run.peak_forces for run in level]
         for side in (0, 1):
             velocity = float(np.mean([mean_of(v[side]) for v, _ in read]))
-            points.append((velocity, combine([_of_cycles(f[side]) for _, f in read])))
+            points.append((velocity, combine([of_cycles(f[side]) for _, f in read])))
     points.sort(key=lambda item: item[0])
     return np.array([velocity for velocity, _ in points]), tuple(force for _, force in points)
 
@@ -319,7 +362,7 @@ def _continuous_points(
     velocity, points = [], []
     for k, at in enumerate(loops[0].velocity):
         known = [
-            _of_cycles(loop.both[:, k])
+            of_cycles(loop.both[:, k])
             for run, loop in zip(runs, loops, strict=True)
             if abs(at) < _REACH * run.peak and np.isfinite(loop.both[:, k]).any()
         ]
@@ -327,15 +370,6 @@ def _continuous_points(
             velocity.append(float(at))
             points.append(combine(known))
     return np.array(velocity), tuple(points)
-
-
-def _of_cycles(values: Array) -> Estimate:
-    known = values[np.isfinite(values)]
-    if len(known) < 2:
-        return Estimate(float(known.mean()) if len(known) else math.nan)
-    return estimate(
-        float(known.mean()), float(known.std(ddof=1)) / math.sqrt(len(known)), len(known) - 1
-    )
 
 
 def _repeatability(runs: Sequence[ReadRun]) -> float | None:
@@ -374,3 +408,10 @@ def _name_dead_travel(
             findings.append(
                 finding("dampers.dead_travel", run.file, travel, side=side, travel=travel)
             )
+
+
+def with_rest(velocity: Array, force: Array) -> tuple[Array, Array]:
+    """Put the point at rest into a curve, where the force is zero."""
+    away = np.abs(velocity) > 1e-9
+    place = int(np.searchsorted(velocity[away], 0.0))
+    return np.insert(velocity[away], place, 0.0), np.insert(force[away], place, 0.0)

@@ -26,6 +26,7 @@ from jounce.recordings.options import (
     chosen_file,
     files_in_python,
 )
+from jounce.recordings.readers import READERS
 
 if TYPE_CHECKING:
     from jounce.core.types import Array
@@ -38,10 +39,6 @@ _IN_NAMES = {
     "temperature": (re.compile(r"(?<![a-z0-9.])(-?\d+(?:\.\d+)?)[ _-]?(?:deg[ _-]?c|°c|c)(?![a-z0-9])"),
                     re.compile(r"(?<![a-z])t[ _-]?(-?\d+(?:\.\d+)?)(?:[ _-]?(?:deg[ _-]?c|°c|c))?(?![\d.a-z])")),
     "gas_pressure": (re.compile(r"(?<![a-z0-9.])(\d+(?:\.\d+)?)[ _-]?(bar|psi)(?![a-z])"),),
-}  # fmt: skip
-_ENDINGS = {
-    ".csv", ".txt", ".tsv", ".dat", ".xlsx", ".xls", ".mat", ".tdms", ".mf4", ".parquet", ".nc", ".asc",
-    ".rsp", ".rpc", ".ld", ".vbo",
 }  # fmt: skip
 
 
@@ -61,9 +58,9 @@ class UnreadFile(Shown):
     error: JounceError
 
 
-DynoFile: TypeAlias = "RecordFile | UnreadFile"
+DynoFile: TypeAlias = RecordFile | UnreadFile
 AnyDynoFiles: TypeAlias = Annotated[
-    "Sequence[RecordFile | UnreadFile | str | Path]",
+    Sequence[RecordFile | UnreadFile | str | Path],
     MadeBy("jounce.dampers.files:chosen_dyno_files", "jounce.dampers.files:dyno_files_in_python"),
 ]
 """Records of a damper rig: files and folders; commands ask for the options to read them, too."""
@@ -108,6 +105,7 @@ def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:
         If a named file does not exist, or a folder has no such file.
     """
     paths: list[Path] = []
+    endings = {suffix for reader in READERS for suffix in reader.suffixes}
     for path in matching_files([str(name) for name in measured], "FILE"):
         if not path.is_dir():
             paths.append(existing_file(path, RecordingError))
@@ -115,13 +113,11 @@ def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:
         inside = sorted(
             item
             for item in path.rglob("*")
-            if item.suffix.lower() in _ENDINGS
-            and item.is_file()
-            and item.stem.lower() != "settings"
+            if item.suffix.lower() in endings and item.is_file() and item.stem.lower() != "settings"
         )
         if not inside:
             raise RecordingError(
-                "no records in this folder", where=str(path), allowed=", ".join(sorted(_ENDINGS))
+                "no records in this folder", where=str(path), allowed=", ".join(sorted(endings))
             )
         paths += inside
     return paths

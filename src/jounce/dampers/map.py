@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, get_args
 
@@ -14,10 +14,9 @@ from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Mark, operation
 from jounce.core.phrases import Phrase
-from jounce.core.results import Shows
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
-from jounce.dampers.curves import Reading, SettingCurve, curve_of, usual_reading
+from jounce.dampers.curves import DamperSetting, Reading, curve_of, usual_reading, with_rest
 from jounce.dampers.files import (
     AnyDynoFiles,
     UnreadFile,
@@ -27,7 +26,7 @@ from jounce.dampers.files import (
 )
 from jounce.dampers.loops import mean_of
 from jounce.dampers.runs import DynoRun, ReadRun, left_out, read_run, summary_of
-from jounce.identify.estimate import Estimate, student_factor
+from jounce.identify.estimate import student_factor
 from jounce.identify.signs import ForcePositive, StrokePositive, static_force
 
 _UNLIKE = 3.0  # factor between a force and that of other records of its setting: a wrong unit, or another damper
@@ -35,52 +34,8 @@ _ENOUGH = 3  # records of a setting, from which one can differ from the others
 _SWAPPED = (
     0.2  # share of the force by which a record whose bump is the others' rebound differs from them
 )
+_SMOOTH = 1e-3  # m/s: a hundredth of slow body motion; seals stick below
 _LEVEL = student_factor(math.inf)
-
-
-@dataclass(frozen=True)
-class DamperSetting(Plain):
-    """A damper at one setting.
-
-    Attributes
-    ----------
-    settings : dict of str to float
-        Clicks [1], temperature (K) and gas pressure (Pa) that the records state; empty if they state none.
-    files : tuple of str
-        Names of its records.
-    velocity : array (n,)
-        Velocities, m/s, ascending, bump positive.
-    force, low, high : array (n,)
-        Force (N) without that of the gas, and its 95 % interval; NaN where too few cycles tell one.
-    gas_force, gas_stiffness : Estimate
-        Force of the gas in mid-stroke, N, and its stiffness, N/m.
-    friction : Estimate
-        Dry friction of the seals, N.
-    lag : Estimate
-        Delay of the force behind the velocity, s.
-    repeatability : float or None
-        Scatter of repeated records, as a share of the force [1]; None without repeats.
-    """
-
-    settings: dict[str, float]
-    files: tuple[str, ...]
-    velocity: Array
-    force: Array
-    low: Array
-    high: Array
-    gas_force: Annotated[Estimate, Shows("gas force in mid-stroke", "N")]
-    gas_stiffness: Annotated[Estimate, Shows("gas stiffness", "N/m")]
-    friction: Annotated[Estimate, Shows("friction", "N")]
-    lag: Annotated[Estimate, Shows("lag of the force", "s")]
-    repeatability: Annotated[float | None, Shows("scatter of repeats", "%", 2)]
-
-    @property
-    def damper(self) -> dict[str, Any]:
-        """Table to write under ``strut.damper``, SI: gas force and friction are taken out."""
-        velocity, force = _with_rest(
-            self.velocity, self.force - self.friction.value * np.sign(self.velocity)
-        )
-        return {"kind": "table", "velocity": velocity.tolist(), "force": force.tolist()}
 
 
 @dataclass(frozen=True)
@@ -152,7 +107,7 @@ class DamperMap(Plain):
         rows = []
         for item in self.settings:
             table = item.damper
-            velocity, _ = _with_rest(self.velocity, self.velocity)
+            velocity, _ = with_rest(self.velocity, self.velocity)
             rows.append(np.interp(velocity, table["velocity"], table["force"]).tolist())
         return {
             "kind": "clicks",
@@ -161,6 +116,14 @@ class DamperMap(Plain):
             "velocity": velocity.tolist(),
             "force": rows,
         }
+
+    @property
+    def friction(self) -> dict[str, float] | None:
+        """Table to write under ``strut.friction``, SI: the mean of all settings; None if no record shows it."""
+        forces = [item.friction.value for item in self.settings if item.friction.value > 0.0]
+        if not forces:
+            return None
+        return {"force": float(np.mean(forces)), "regularisation_velocity": _SMOOTH}
 
     def at(self, clicks: float) -> CurveAt:
         """Return the curve at clicks between measured ones.
@@ -241,8 +204,8 @@ class DamperMap(Plain):
         return "\n".join(lines) + "\n"
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain values, SI, with the table for a rig."""
-        return {**super().to_dict(), "damper": self.damper}
+        """Return plain values, SI, with the tables for a rig."""
+        return {**super().to_dict(), "damper": self.damper, "friction": self.friction}
 
 
 @operation(
@@ -364,10 +327,10 @@ def damper_map(
     chosen = reading or usual_reading(list(alike.values()))
     largest = max(run.peak for run in used)
     curves: list[DamperSetting] = []
-    for key, group in sorted(alike.items(), key=lambda pair: dict(pair[0]).get("clicks", 0.0)):
+    for group in sorted(alike.values(), key=lambda group: group[0].settings.get("clicks", 0.0)):
         curve = curve_of(group, chosen, largest, findings)
         if len(curve.velocity) > 1:
-            curves.append(_setting(key, group, curve))
+            curves.append(curve)
         else:
             findings.append(finding("dampers.no_curve", group[0].file))
     if not curves:
@@ -377,20 +340,18 @@ def damper_map(
         )  # fmt: skip
     summaries = tuple(summary_of(run) for run in used)
     findings += [item for run in used for item in run.findings]
-    if len(curves) > 1 and any("clicks" not in item.settings for item in curves):
+    made = DamperMap(chosen, tuple(curves), summaries, ())
+    if len(curves) > 1 and not made.clicks:
         findings.append(finding("dampers.settings_unknown", "settings", len(curves)))
-    return DamperMap(chosen, tuple(curves), summaries, tuple(findings))
+    return replace(made, findings=(*findings, *_mixed(made)))
 
 
-def _setting(
-    key: tuple[tuple[str, float], ...], runs: Sequence[ReadRun], curve: SettingCurve
-) -> DamperSetting:
-    ends = np.array([item.interval or (math.nan, math.nan) for item in curve.force])
-    force = np.array([item.value for item in curve.force])
-    return DamperSetting(
-        dict(key), tuple(run.file for run in runs), curve.velocity, force, ends[:, 0], ends[:, 1],
-        curve.gas_force, curve.gas_stiffness, curve.friction, curve.lag, curve.repeatability,
-    )  # fmt: skip
+def _mixed(made: DamperMap) -> Iterator[Finding]:
+    """Name what differs between settings beside their clicks, and so counts as an effect of them."""
+    for name in ("temperature", "gas_pressure") if made.clicks else ():
+        stated = [item.settings[name] for item in made.settings if name in item.settings]
+        if stated and (len(stated) < len(made.settings) or len(set(stated)) > 1):
+            yield finding("dampers.conditions_differ", name, name=name)
 
 
 def _alike(runs: list[ReadRun], findings: list[Finding]) -> list[ReadRun]:
@@ -464,10 +425,3 @@ def _usual(velocity: Array, known: Array, force: Array) -> Array:
 
 
 _ROUNDS = 10  # of reweighting
-
-
-def _with_rest(velocity: Array, force: Array) -> tuple[Array, Array]:
-    """Put the point at rest into a curve, where the force is zero."""
-    away = np.abs(velocity) > 1e-9
-    place = int(np.searchsorted(velocity[away], 0.0))
-    return np.insert(velocity[away], place, 0.0), np.insert(force[away], place, 0.0)

@@ -19,7 +19,7 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.dampers.loops import acceleration_of, cycle_numbers, mean_of
 from jounce.identify.damper_record import DamperMotion, columns_of, read_motion
-from jounce.identify.estimate import Estimate, estimate
+from jounce.identify.estimate import Estimate, estimate, mean_of_replicates
 from jounce.identify.signs import ForcePositive, StrokePositive, static_force
 from jounce.recordings.options import RecordFile
 
@@ -30,7 +30,9 @@ _SECOND = (
 )
 _SINE = 0.98  # share of the variance of a stroke in its first two harmonics
 _STEADY = 0.85  # median of the speed over its largest: a triangle has 1, a sine 0.71
+_CYCLIC = 2.0  # cycles from which a motion is one
 _UNEVEN = 0.1  # scatter of the strokes of cycles, as a share: not yet, or no longer, steady
+_TREND = 5  # cycles from which a trend over them is told
 _FADES = 0.02  # change of the force over a record that is named
 PEAK = 0.05  # share of the largest speed below it that counts as peak velocity
 _NEAR_REST = 0.1  # share of the peak velocity up to which samples are slow
@@ -58,7 +60,7 @@ class DynoRun(Plain):
     peak_bump_force, peak_rebound_force : Estimate
         Force at peak velocity in bump and in rebound (N), gas included.
     fade : Estimate
-        Change of the force from the first cycle to the last, as a share [1].
+        Change of the force from the first cycle to the last, as a share [1]; NaN with less than five.
     energy_per_cycle : float
         Work done on the damper in a cycle, J.
     """
@@ -84,7 +86,6 @@ class ReadRun:
     file: str
     settings: Mapping[str, float]
     motion: DamperMotion
-    kind: MotionKind
     cycles: NDArray[np.int64]
     acceleration: Array
     findings: list[Finding] = field(default_factory=list)
@@ -109,8 +110,26 @@ class ReadRun:
     @property
     def has_slow_samples(self) -> bool:
         """Whether the record shows the force at rest: plateaus of velocity do not."""
-        speed = np.abs(self.motion.velocity)
-        return float(np.mean(speed < _NEAR_REST * self.peak)) > _SHARE_NEAR_REST
+        return _has_slow_samples(self.motion)
+
+    @cached_property
+    def kind(self) -> MotionKind:
+        """What drove the damper, told from the shape of the stroke."""
+        if self.motion.cycles < _CYCLIC:
+            return "ramp"
+        if (self.cycles >= 0).all():  # parts, not cycles
+            return "random"
+        whole = slice(self.starts[0], self.starts[-1])
+        speed, x = np.abs(self.motion.velocity[whole]), self.motion.displacement[whole]
+        if float(np.median(speed)) > _STEADY * float(np.quantile(speed, 0.99)):
+            return "triangle"
+        lengths = np.diff(self.starts)
+        since = np.arange(len(x)) - np.repeat(self.starts[:-1] - self.starts[0], lengths)
+        phase = 2.0 * math.pi * since / np.repeat(lengths, lengths)
+        first, second = (abs(np.mean((x - x.mean()) * np.exp(-1j * k * phase))) for k in (1, 2))
+        if 2.0 * (first**2 + second**2) < _SINE * float(np.var(x)):
+            return "random"
+        return "crank" if second > _SECOND * first else "sine"
 
     @cached_property
     def peak_forces(self) -> tuple[Array, Array]:
@@ -160,10 +179,8 @@ def read_run(
     motion, findings = read(stroke_positive, force_positive)
     neither_is_stated = stroke_positive is None and force_positive is None
     if neither_is_stated and any(item.code == "identify.signs_of_gas" for item in findings):
-        speed = np.abs(motion.velocity)
         gas = static_force(motion.displacement, motion.velocity, motion.force)
-        shows_rest = float(np.mean(speed < _NEAR_REST * np.median(speed))) > _SHARE_NEAR_REST
-        if shows_rest and gas.interval and gas.interval[1] < 0.0:
+        if _has_slow_samples(motion) and gas.interval and gas.interval[1] < 0.0:
             motion, findings = read("extension", "tension")
             findings.append(
                 finding("dampers.both_signs_reversed", name, gas.value, pull=-gas.value)
@@ -174,9 +191,8 @@ def read_run(
         if item.severity != "note" or not item.code.startswith("identify.")
     ]
     cycles = cycle_numbers(motion.displacement)
-    kind = _kind(motion, cycles)
-    run = ReadRun(name, settings, motion, kind, cycles, acceleration_of(motion), findings)
-    if kind in ("sine", "crank", "triangle"):
+    run = ReadRun(name, settings, motion, cycles, acceleration_of(motion), findings)
+    if run.kind in ("sine", "crank", "triangle"):
         strokes = _strokes(run)
         uneven = float(np.ptp(strokes) / strokes.mean())
         if uneven > _UNEVEN:
@@ -184,29 +200,9 @@ def read_run(
     return run
 
 
-def _kind(motion: DamperMotion, cycles: NDArray[np.int64]) -> MotionKind:
-    """Tell what drove a damper from the shape of its stroke."""
-    inside = cycles >= 0
-    if motion.cycles < 2.0 or inside.all():
-        return "ramp" if motion.cycles < 2.0 else "random"
-    speed = np.abs(motion.velocity[inside])
-    peak = float(np.quantile(speed, 0.99))
-    if float(np.median(speed)) > _STEADY * peak:
-        return "triangle"
-    x, count = motion.displacement[inside], int(cycles.max()) + 1
-    starts = np.flatnonzero(np.diff(cycles[inside], prepend=-1))
-    lengths = np.diff(starts, append=inside.sum())
-    phase = (
-        2.0
-        * math.pi
-        * (np.arange(len(x)) - np.repeat(starts, lengths))
-        / np.repeat(lengths, lengths)
-    )
-    harmonics = [abs(np.mean((x - x.mean()) * np.exp(-1j * k * phase))) for k in (1, 2)]
-    share = 2.0 * (harmonics[0] ** 2 + harmonics[1] ** 2) / float(np.var(x))
-    if count < 1 or share < _SINE:
-        return "random"
-    return "crank" if harmonics[1] > _SECOND * harmonics[0] else "sine"
+def _has_slow_samples(motion: DamperMotion) -> bool:
+    speed = np.abs(motion.velocity)
+    return float(np.mean(speed < _NEAR_REST * np.quantile(speed, 0.99))) > _SHARE_NEAR_REST
 
 
 def _strokes(run: ReadRun) -> Array:
@@ -223,7 +219,7 @@ def summary_of(run: ReadRun) -> DynoRun:
         run.findings.append(finding("dampers.fades", run.file, fade.value, change=fade.value))
     inside = run.cycles >= 0
     work = float(np.trapezoid(motion.force[inside], motion.displacement[inside]))
-    bump, rebound = (_of_cycles(side) for side in force)
+    bump, rebound = (of_cycles(side) for side in force)
     return DynoRun(
         run.file, dict(run.settings), run.kind, motion.stroke, run.peak, run.count,
         motion.signs.stroke_positive, motion.signs.force_positive,
@@ -231,22 +227,18 @@ def summary_of(run: ReadRun) -> DynoRun:
     )  # fmt: skip
 
 
-def _of_cycles(values: Array) -> Estimate:
-    """Estimate the mean of cycles; neighbours are not independent, so their scatter about a line counts."""
-    known = values[np.isfinite(values)]
-    if len(known) < 3:
-        return Estimate(float(known.mean()) if len(known) else math.nan)
-    return estimate(
-        float(known.mean()), float(known.std(ddof=1)) / math.sqrt(len(known)), len(known) - 1
-    )
+def of_cycles(values: Array) -> Estimate:
+    """Estimate the mean of a force over cycles; NaN without any."""
+    known = values[np.isfinite(values)].tolist()
+    return mean_of_replicates(known) if known else Estimate(math.nan)
 
 
 def _fade(force: Array) -> Estimate:
     """Estimate the change of the force from the first cycle to the last, as a share of its mean."""
     size = mean_of(np.abs(force))
     known = np.flatnonzero(np.isfinite(size))
-    if len(known) < 5:
-        return Estimate(0.0)
+    if len(known) < _TREND:
+        return Estimate(math.nan)
     place, share = known - known.mean(), size[known] / size[known].mean()
     power = float(place @ place)
     slope = float(place @ share) / power

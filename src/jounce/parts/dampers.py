@@ -445,7 +445,7 @@ class ClickDamper(DamperLaw):
 
     Velocity is positive in bump (shortening), force in compression. Interpolation is linear over clicks and velocity;
     the force is extrapolated over velocity, never over clicks. Clicks may be fractions, so that a search or a sweep
-    moves them like any other number.
+    moves them like any other number; at measured clicks a slope by them is the mean of both sides.
     """
 
     kind: Literal["clicks"] = "clicks"

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from jounce.dampers.map import DamperMap, DamperSetting
+    from jounce.dampers.curves import DamperSetting
+    from jounce.dampers.map import DamperMap
 
 _OVER_CLICKS = 4  # velocities of each direction in the panel over clicks
 

@@ -23,7 +23,8 @@ from jounce.report.page import (
 )
 
 if TYPE_CHECKING:
-    from jounce.dampers.map import DamperMap, DamperSetting
+    from jounce.dampers.curves import DamperSetting
+    from jounce.dampers.map import DamperMap
 
 _READ = {
     "peak": "one point a cycle at peak velocity (PVP)",
@@ -46,6 +47,7 @@ def damper_map_page(result: DamperMap, *, title: str) -> Page:
     Page
         Page to be written with :data:`jounce.report.REPORTS`.
     """
+    tables = {"damper": result.damper, "friction": result.friction}
     words = "Force without gas over velocity for each setting, with 95 % intervals."
     blocks: list[Block] = [
         as_table(_settings(result)),
@@ -59,7 +61,7 @@ def damper_map_page(result: DamperMap, *, title: str) -> Page:
         *findings_blocks(result.findings),
         Details("Records", (as_table(_runs(result)),)),
         Paragraph("In a rig file, below [strut]; friction is apart:"),
-        Bullets((f"damper = {rig_table(result.damper)}", *_friction(result))),
+        Bullets(tuple(f"{name} = {rig_table(table)}" for name, table in tables.items() if table)),
     ]
     return answer_page(
         title,
@@ -70,13 +72,6 @@ def damper_map_page(result: DamperMap, *, title: str) -> Page:
 
 def _counted(number: int, word: str) -> str:
     return f"{number} {word}" if number == 1 else f"{number} {word}s"
-
-
-def _friction(result: DamperMap) -> tuple[str, ...]:
-    force = result.settings[0].friction.value
-    if not force > 0.0:
-        return ()
-    return (f"friction = {rig_table({'force': force, 'regularisation_velocity': 1e-3})}",)
 
 
 def _settings(result: DamperMap) -> TextTable:

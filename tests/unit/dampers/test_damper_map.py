@@ -282,19 +282,39 @@ def test_the_map_is_a_law_whose_clicks_move_like_any_number():
         rig.with_changes({"strut.damper.clicks": 9.0})
     with pytest.raises(DescriptionError, match="not among the clicks"):
         made.at(8.5)
-    trial = jn.Trial(
-        road=jn.HalfSine(height="10 mm", length="60 mm"), speed="2 m/s", duration="0.5 s"
+
+
+@pytest.mark.parametrize(("clicks", "within"), [(2.5, 1e-5), (6.0, 1e-5), (4.0, 1e-3)])
+def test_slopes_by_clicks_are_those_of_differences(clicks: float, within: float):
+    """At measured clicks both sides bend differently, so that differences are right to first order only."""
+    rng = np.random.default_rng(7)
+    made = jn.damper_map(records(ShimDamper(), rng, (0, 4, 8), speeds=(0.1, 0.3, 0.6)))
+    rig = jn.load("kart-quarter-car").with_changes(
+        {"strut.damper": {**made.damper, "clicks": clicks}}
     )
-    slope = jn.sensitivities(rig, trial, ["strut.damper.clicks"])
-    step = 1e-3
-    runs = [
-        jn.simulate(rig.with_changes({"strut.damper.clicks": 4.0 + way * step}), trial)[
-            "sprung.az"
-        ].to_numpy()
+    road = jn.HalfSine(height="10 mm", length="60 mm")
+    trial = jn.Trial(road=road, speed="2 m/s", duration="0.3 s")
+    path, channel, step = "strut.damper.clicks", "sprung.z", 0.01
+    ends = [
+        jn.simulate(rig.with_changes({path: clicks + way * step}), trial)[channel].to_numpy()
         for way in (0.5, -0.5)
     ]
-    assert slope is not None
-    assert np.ptp(runs[0] - runs[1]) > 0.0
+    difference = (ends[0] - ends[1]) / step
+    exact = jn.sensitivities(rig, trial, [path])[channel].sel(parameter=path).to_numpy()
+    assert np.abs(difference).max() > 1e-6
+    assert np.abs(exact - difference).max() < within * np.abs(difference).max()
+
+
+def test_conditions_that_differ_with_the_clicks_are_named():
+    rng = np.random.default_rng(7)
+    given = records(ShimDamper(), rng, (0, 4), speeds=(0.2,))
+    stated = {
+        "c0_0.2": {"clicks": 0, "temperature": "20 degC"},
+        "c4_0.2": {"clicks": 4, "temperature": "60 degC"},
+    }
+    codes = [item.code for item in jn.damper_map(given, stated).findings]
+    assert codes.count("dampers.conditions_differ") == 1
+    assert "dampers.conditions_differ" not in [item.code for item in jn.damper_map(given).findings]
 
 
 def test_without_clicks_nothing_is_interpolated():
