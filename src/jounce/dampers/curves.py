@@ -16,7 +16,6 @@ from jounce.core.types import Array
 from jounce.dampers.loops import Loops, error_of, loops_of, mean_of
 from jounce.dampers.runs import PEAK, ReadRun, of_cycles
 from jounce.identify.estimate import Estimate, at_least_zero, combine, estimate, student_factor
-from jounce.identify.signs import static_force
 
 Reading = Literal["peak", "continuous"]
 
@@ -33,7 +32,7 @@ _ROUGH = 0.01  # share of the force to which a straight slope between windows is
 _TOGETHER = 1e-3  # ratio of singular values below which lag and gas stiffness cannot be told apart
 _DEAD = 0.5  # force with rising speed, as a share of that with falling speed, below which the travel is dead
 _MISSING = 0.2  # of the largest force: what lacks at least, more than gas stiffness and noise make
-_DEAD_STROKE = 0.02  # of the stroke: dead travel that is named
+_DEAD_STROKE = 0.03  # of the stroke: dead travel that is named; oil that gives way makes 0.023
 _UNIFORM = math.sqrt(3.0)  # half width of a uniform distribution in standard deviations
 
 
@@ -99,7 +98,7 @@ def curve_of(
     gas, friction = _at_rest(runs, lag.value, stiffness.value, findings)
     place = " ".join(run.file for run in runs[:2]) + (" ..." if len(runs) > 2 else "")
     for run in runs:
-        _name_dead_travel(run, velocity, width, gas.value, findings)
+        _name_dead_travel(run, velocity, width, (gas.value, stiffness.value), findings)
     if reading == "peak":
         at, forces = _peak_points(runs)
         narrow = 0.5 * PEAK * np.abs(at)
@@ -303,8 +302,7 @@ def _at_rest(
     if not slowest.has_slow_samples:
         findings.append(finding("dampers.gas_unknown", slowest.file))
         return Estimate(0.0), Estimate(0.0)
-    motion = slowest.motion
-    return static_force(motion.displacement, motion.velocity, motion.force), Estimate(0.0)
+    return slowest.rest, Estimate(0.0)
 
 
 def _intercepts(
@@ -386,13 +384,18 @@ def _repeatability(runs: Sequence[ReadRun]) -> float | None:
 
 
 def _name_dead_travel(
-    run: ReadRun, velocity: Array, width: Array, gas: float, findings: list[Finding]
+    run: ReadRun, velocity: Array, width: Array, gas: tuple[float, float], findings: list[Finding]
 ) -> None:
-    """Name travel after a reversal in which the force is missing: gas in the oil, or an empty chamber."""
+    """Name travel after a reversal in which the force is missing: gas in the oil, or an empty chamber.
+
+    ``gas`` is force (N) and stiffness (N/m) of the gas chamber, which opens slow loops on both sides, too.
+    """
     if run.kind not in ("sine", "crank"):
         return
-    loop = loops_of(run.motion, run.cycles, velocity, width, acceleration=run.acceleration)
-    rising, falling = mean_of(loop.force) - gas
+    loop = loops_of(
+        run.motion, run.cycles, velocity, width, acceleration=run.acceleration, stiffness=gas[1]
+    )
+    rising, falling = mean_of(loop.force) - gas[0]
     missing = (rising / falling < _DEAD) & (
         np.abs(falling - rising) > _MISSING * np.abs(np.nan_to_num(falling)).max()
     )

@@ -25,15 +25,17 @@ from jounce.dampers.files import (
     settings_of,
 )
 from jounce.dampers.loops import mean_of
-from jounce.dampers.runs import DynoRun, ReadRun, left_out, read_run, summary_of
+from jounce.dampers.runs import DynoRun, ReadRun, left_out, read_run, summary_of, turned_by_gas
 from jounce.identify.estimate import student_factor
-from jounce.identify.signs import ForcePositive, StrokePositive, static_force
+from jounce.identify.signs import ForcePositive, StrokePositive
 
 _UNLIKE = 3.0  # factor between a force and that of other records of its setting: a wrong unit, or another damper
 _ENOUGH = 3  # records of a setting, from which one can differ from the others
 _SWAPPED = (
     0.2  # share of the force by which a record whose bump is the others' rebound differs from them
 )
+_ALIKE, _CLEARER = 0.15, 0.4
+"""Largest difference of such a record when it is turned, as a share of the force and of its difference as it is."""
 _SMOOTH = 1e-3  # m/s: a hundredth of slow body motion; seals stick below
 _LEVEL = student_factor(math.inf)
 
@@ -319,6 +321,8 @@ def damper_map(
             "no record of a damper can be used", where="files",
             found="; ".join(item.message for item in findings[:3]) or "nothing",
         )  # fmt: skip
+    if stroke_positive is None and force_positive is None:
+        runs = turned_by_gas(runs)
     groups: dict[tuple[tuple[str, float], ...], list[ReadRun]] = {}
     for run in runs:
         groups.setdefault(tuple(sorted(run.settings.items())), []).append(run)
@@ -383,26 +387,26 @@ def _alike(runs: list[ReadRun], findings: list[Finding]) -> list[ReadRun]:
 
 
 def _is_turned(name: str, points: Mapping[str, Array]) -> bool:
-    """Whether a record is like the others only with bump and rebound exchanged."""
+    """Whether a record is like the others only with bump and rebound exchanged.
+
+    The slowest and the fastest are not judged: bump may overtake rebound where no other record is.
+    """
     velocity, force = points[name]
+    speeds = {other: float(np.ptp(item[0])) for other, item in points.items() if other != name}
+    if not min(speeds.values()) <= float(np.ptp(velocity)) <= max(speeds.values()):
+        return False
     others = np.concatenate([item for other, item in points.items() if other != name], axis=1)
     away, away_turned = (
         float(np.abs(force - line).sum() / np.abs(line).sum())
         for line in (_usual(velocity, *others), -_usual(-velocity[::-1], *others)[::-1])
     )
-    return away > _SWAPPED and away_turned < 0.5 * away
+    return away > _SWAPPED and away_turned < min(_ALIKE, _CLEARER * away)
 
 
 def _net_peaks(run: ReadRun) -> Array:
     """Return peak velocities (m/s) in rebound and bump, and their forces without a static force (N): (2, 2)."""
     velocity, force = (mean_of(item.T)[::-1] for item in run.peak_forces)
-    motion = run.motion
-    rest = (
-        static_force(motion.displacement, motion.velocity, motion.force).value
-        if run.has_slow_samples
-        else 0.0
-    )
-    return np.array([velocity, force - rest])
+    return np.array([velocity, force - run.rest.value])
 
 
 def _usual(velocity: Array, known: Array, force: Array) -> Array:

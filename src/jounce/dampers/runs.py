@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -35,6 +36,7 @@ _UNEVEN = 0.1  # scatter of the strokes of cycles, as a share: not yet, or no lo
 _TREND = 5  # cycles from which a trend over them is told
 _FADES = 0.02  # change of the force over a record that is named
 PEAK = 0.05  # share of the largest speed below it that counts as peak velocity
+_CLEAR_GAS = 0.03  # share of the force from which that of the gas is neither lag nor friction
 _NEAR_REST = 0.1  # share of the peak velocity up to which samples are slow
 _SHARE_NEAR_REST = 0.02  # of the samples: a sine has 0.06, a triangle next to none
 
@@ -83,12 +85,35 @@ class DynoRun(Plain):
 class ReadRun:
     """A record that has been read, with what later steps need of it."""
 
-    file: str
+    record: RecordFile
     settings: Mapping[str, float]
     motion: DamperMotion
     cycles: NDArray[np.int64]
     acceleration: Array
     findings: list[Finding] = field(default_factory=list)
+
+    @property
+    def file(self) -> str:
+        """Name of the file."""
+        return Path(self.record.path).name
+
+    @cached_property
+    def rest(self) -> Estimate:
+        """Force at rest, N; 0 without an interval if the record does not show it."""
+        motion = self.motion
+        if not self.has_slow_samples:
+            return Estimate(0.0)
+        return static_force(motion.displacement, motion.velocity, motion.force)
+
+    @property
+    def gas_share(self) -> float:
+        """Force at rest as a share of the range of the force [1]."""
+        return self.rest.value / float(np.ptp(self.motion.force))
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether the force at rest shows which signs are right."""
+        return abs(self.gas_share) > _CLEAR_GAS
 
     @cached_property
     def starts(self) -> NDArray[np.int64]:
@@ -110,7 +135,9 @@ class ReadRun:
     @property
     def has_slow_samples(self) -> bool:
         """Whether the record shows the force at rest: plateaus of velocity do not."""
-        return _has_slow_samples(self.motion)
+        speed = np.abs(self.motion.velocity)
+        slow = speed < _NEAR_REST * np.quantile(speed, 0.99)
+        return float(np.mean(slow)) > _SHARE_NEAR_REST
 
     @cached_property
     def kind(self) -> MotionKind:
@@ -161,48 +188,74 @@ def read_run(
 ) -> ReadRun:
     """Read a record: compression positive, cut to the motion, its cycles numbered.
 
-    A gas force that pulls shows that both signs are reversed, if neither is stated.
-
     Raises
     ------
     JounceError
         If displacement or force is missing, or the record has no motion.
     """
     name = Path(record.path).name
-    columns = columns_of(record.data, None, None, None, name)
-
-    def read(
-        stroke: StrokePositive | None, force: ForcePositive | None
-    ) -> tuple[DamperMotion, list[Finding]]:
-        return read_motion(*columns, stroke_positive=stroke, force_positive=force, name=name)
-
-    motion, findings = read(stroke_positive, force_positive)
-    neither_is_stated = stroke_positive is None and force_positive is None
-    if neither_is_stated and any(item.code == "identify.signs_of_gas" for item in findings):
-        gas = static_force(motion.displacement, motion.velocity, motion.force)
-        if _has_slow_samples(motion) and gas.interval and gas.interval[1] < 0.0:
-            motion, findings = read("extension", "tension")
-            findings.append(
-                finding("dampers.both_signs_reversed", name, gas.value, pull=-gas.value)
-            )
-    findings = [
-        item
-        for item in findings
-        if item.severity != "note" or not item.code.startswith("identify.")
-    ]
+    motion, findings = read_motion(
+        *columns_of(record.data, None, None, None, name),
+        stroke_positive=stroke_positive,
+        force_positive=force_positive,
+        name=name,
+    )
+    told = [item for item in findings if item.severity != "note"]
     cycles = cycle_numbers(motion.displacement)
-    run = ReadRun(name, settings, motion, cycles, acceleration_of(motion), findings)
+    run = ReadRun(record, settings, motion, cycles, acceleration_of(motion), told)
     if run.kind in ("sine", "crank", "triangle"):
         strokes = _strokes(run)
         uneven = float(np.ptp(strokes) / strokes.mean())
         if uneven > _UNEVEN:
-            findings.append(finding("dampers.not_steady", name, uneven, share=uneven))
+            told.append(finding("dampers.not_steady", name, uneven, share=uneven))
     return run
 
 
-def _has_slow_samples(motion: DamperMotion) -> bool:
-    speed = np.abs(motion.velocity)
-    return float(np.mean(speed < _NEAR_REST * np.quantile(speed, 0.99))) > _SHARE_NEAR_REST
+def turned_by_gas(runs: Sequence[ReadRun]) -> list[ReadRun]:
+    """Give records the signs with which the gas pushes, where it is clear; the others those of most of these.
+
+    In a fast record the force at rest is small beside the rest, and late: only a gas force that is a clear share of the
+    force decides. A record that would feed energy with the signs of the others keeps its own.
+    """
+    clear = [run if run.gas_share > 0.0 else _turned(run) for run in runs if run.is_clear]
+    if not clear:
+        return list(runs)
+    most, _ = Counter(_signs_of(run) for run in clear).most_common(1)[0]
+    sure = {id(run.record): run for run in clear}
+    turned = [sure.get(id(run.record)) or _with_signs(run, most) for run in runs]
+    for run in turned:
+        run.findings[:] = [item for item in run.findings if item.code not in _OPEN_SIGNS]
+    return turned
+
+
+_OPEN_SIGNS = ("identify.signs_of_gas", "identify.bump_or_rebound")
+"""What a single record leaves open and the other records settle."""
+
+
+def _signs_of(run: ReadRun) -> tuple[StrokePositive, ForcePositive]:
+    return run.motion.signs.stroke_positive, run.motion.signs.force_positive
+
+
+def _turned(run: ReadRun) -> ReadRun:
+    """Read a record with both signs reversed, and say so."""
+    stroke, force = _signs_of(run)
+    turned = _with_signs(
+        run,
+        (
+            "compression" if stroke == "extension" else "extension",
+            "compression" if force == "tension" else "tension",
+        ),
+    )
+    pull = -run.gas_share * float(np.ptp(run.motion.force))
+    turned.findings.append(finding("dampers.both_signs_reversed", run.file, -pull, pull=pull))
+    return turned
+
+
+def _with_signs(run: ReadRun, signs: tuple[StrokePositive, ForcePositive]) -> ReadRun:
+    if signs == _signs_of(run):
+        return run
+    again = read_run(run.record, run.settings, stroke_positive=signs[0], force_positive=signs[1])
+    return again if _signs_of(again) == signs else run
 
 
 def _strokes(run: ReadRun) -> Array:
