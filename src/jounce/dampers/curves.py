@@ -23,7 +23,7 @@ _SHARES = np.array([0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.
 """Velocities of a continuous reading, as shares of the largest: closer where valves open."""
 _SLOW = (0.04, 0.18, 0.35)
 """Speeds from and to which gas and friction are found, of the slowest record: then further, if samples are too few."""
-_SAMPLES = 12  # of a cycle and side, for a parabola
+_SAMPLES = 12  # of a cycle and side, for a cubic
 _REACH = 0.985  # share of its peak velocity up to which a record counts
 _SAME = 0.05  # peak velocities that differ by less are one
 _DISTINCT = 3  # peak velocities from which a curve can be drawn through them
@@ -95,6 +95,7 @@ def curve_of(
     """Reduce the records of one setting to a curve; ``largest`` is the largest peak velocity of all settings (m/s)."""
     velocity, width = _windows(largest)
     loops, lag, stiffness = _without_lag(runs, velocity, width)
+    lag = _as_instants_allow(lag, runs)
     gas, friction = _at_rest(runs, lag.value, stiffness.value, findings)
     place = " ".join(run.file for run in runs[:2]) + (" ..." if len(runs) > 2 else "")
     for run in runs:
@@ -118,6 +119,19 @@ def curve_of(
         at, np.array([item.value for item in net]), ends[:, 0], ends[:, 1],
         _if_told(gas), _if_told(stiffness), _if_told(at_least_zero(friction)), _if_told(lag), repeatability,
     )  # fmt: skip
+
+
+def _as_instants_allow(lag: Estimate, runs: Sequence[ReadRun]) -> Estimate:
+    """Widen a lag by a hundredth of the sampling step: no two channels are sampled at the same instant more closely."""
+    if lag.interval is None or lag.standard_error is None:
+        return lag
+    step = max(float(np.median(np.diff(run.motion.time))) for run in runs)
+    half = math.hypot(0.5 * (lag.interval[1] - lag.interval[0]), _INSTANT * step)
+    error = math.hypot(lag.standard_error, 0.5 * _INSTANT * step)
+    return Estimate(lag.value, error, (lag.value - half, lag.value + half))
+
+
+_INSTANT = 0.01  # of the sampling step
 
 
 def _if_told(value: Estimate) -> Estimate:
@@ -272,13 +286,12 @@ def _at_rest(
 ) -> tuple[Estimate, Estimate]:
     """Extrapolate bump and rebound to rest: their mean is the gas force, half their difference the friction.
 
-    A straight line and a parabola are fitted in each cycle; what they differ by is counted as uncertain, too. Where
+    A parabola and a cubic are fitted in each cycle; what they differ by is counted as uncertain, too. Where
     slow samples are too few, the static force of the slowest record is the gas force, and the friction is unknown.
     """
     slowest = min(runs, key=lambda run: run.peak)
     for fastest in _SLOW[1:]:
-        gas: list[Estimate] = []
-        friction: list[Estimate] = []
+        sides: list[list[tuple[Array, Array]]] = [[], []]  # of gas and friction, by record
         for run in runs:
             ends = [
                 _intercepts(
@@ -287,28 +300,37 @@ def _at_rest(
                 for sign in (1.0, -1.0)
             ]
             both = np.isfinite(ends[0][1]) & np.isfinite(ends[1][1])
-            if np.count_nonzero(both) < 2:
-                continue
-            for way, results in ((1.0, gas), (-1.0, friction)):
-                line, parabola = (
+            for way, results in zip((1.0, -1.0), sides, strict=True):
+                parabola, cubic = (
                     0.5 * (bump + way * rebound)[both] for bump, rebound in zip(*ends, strict=True)
                 )
-                count = len(parabola)
-                bend = float(np.mean(line - parabola)) / _UNIFORM
-                error = math.hypot(float(parabola.std(ddof=1)) / math.sqrt(count), bend)
-                results.append(estimate(float(parabola.mean()), error, count - 1))
-        if gas:
-            return combine(gas), combine(friction)
+                if len(parabola):
+                    results.append((parabola, cubic))
+        if sum(len(parabola) for parabola, _ in sides[0]) > 1:
+            gas, friction = (_pooled(side) for side in sides)
+            return gas, friction
     if not slowest.has_slow_samples:
         findings.append(finding("dampers.gas_unknown", slowest.file))
         return Estimate(0.0), Estimate(0.0)
     return slowest.rest, Estimate(0.0)
 
 
+def _pooled(records: Sequence[tuple[Array, Array]]) -> Estimate:
+    """Estimate the mean of all cycles of all records; records that differ by more than their cycles count so."""
+    parabola, cubic = (np.concatenate(part) for part in zip(*records, strict=True))
+    count = len(parabola)
+    error = float(parabola.std(ddof=1)) / math.sqrt(count)
+    if len(records) > 1:
+        means = np.array([part.mean() for part, _ in records])
+        error = max(error, float(means.std(ddof=1)) / math.sqrt(len(means)))
+    bend = float(np.mean(cubic - parabola)) / _UNIFORM
+    return estimate(float(parabola.mean()), math.hypot(error, bend), count - 1)
+
+
 def _intercepts(
     run: ReadRun, sign: float, within: tuple[float, float], lag: float, stiffness: float
 ) -> tuple[Array, Array]:
-    """Return the force (N) to which a line and a parabola lead at rest, in each cycle; NaN with too few samples."""
+    """Return the force (N) to which a parabola and a cubic lead at rest, in each cycle; NaN with too few samples."""
     motion = run.motion
     speed = sign * (motion.velocity - lag * run.acceleration)
     near = np.flatnonzero((speed >= within[0]) & (speed <= within[1]) & (run.cycles >= 0))
@@ -318,11 +340,11 @@ def _intercepts(
     def total(weights: Array) -> Array:
         return np.bincount(cycles, weights, minlength=run.count).astype(float)
 
-    powers = np.stack([total(share**k) for k in range(5)])
-    loads = np.stack([total(force * share**k) for k in range(3)])
+    powers = np.stack([total(share**k) for k in range(7)])
+    loads = np.stack([total(force * share**k) for k in range(4)])
     enough = powers[0] >= _SAMPLES
     ends = []
-    for degree in (1, 2):
+    for degree in (2, 3):
         row = np.arange(degree + 1)
         matrix = np.moveaxis(powers[row[:, np.newaxis] + row], -1, 0)[enough]
         end = np.full(run.count, math.nan)
