@@ -58,7 +58,15 @@ class _Dependent(AxleBuilder):
     def check(self) -> None:
         """Refuse links that bind, and links that do not guide the axle."""
         free, repeated, _ = freedom(self)
-        if repeated or free < _MOTIONS:
+        if repeated:
+            raise DescriptionError(
+                "parts hold the axle twice in the same way",
+                where="hardpoints",
+                found=Phrase("{count} equations that repeat others", count=repeated),
+                allowed="none",
+                hint="Do two links coincide? Links that share a load need bushings.",
+            )
+        if free < _MOTIONS:
             raise DescriptionError(
                 "the links bind: with ideal joints the wheels cannot move together and opposed",
                 where="hardpoints",

@@ -15,7 +15,15 @@ from jounce.core.types import Array
 from jounce.kinematics.axle import AxleVariables, Ground, check_roll, travel_by_roll
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.kinematics.dependent_poses import MOTIONS, AxlePoses, SweptAxle
-from jounce.kinematics.sweeps import ANTI_EFFECTS, ANTI_SIGN, AxleLayout, no_pose, shares
+from jounce.kinematics.sweeps import (
+    ANTI_EFFECTS,
+    ANTI_SIGN,
+    AxleLayout,
+    End,
+    ends_text,
+    no_pose,
+    shares,
+)
 from jounce.parts.axles import DependentAxle, SolidAxle
 
 if TYPE_CHECKING:
@@ -23,6 +31,7 @@ if TYPE_CHECKING:
 
 _SIDES = {"left": 1.0, "right": -1.0}
 _ITERATIONS, _LEVEL = 40, 1e-12  # m: rounding of a height
+_OFF = 1e-9  # m: most distance from the road of a wheel that touches it
 _STEP = 0.03  # m: most travel of one iteration
 _ROWS = {
     row.name: row
@@ -66,11 +75,12 @@ def no_rack(rig: DependentAxle, given: bool, where: str) -> None:
 
 @dataclass(frozen=True)
 class _OnRoad:
-    """An axle on a plane road, with roll and pitch of the body, rad."""
+    """An axle on a plane road, with roll and pitch of the body, rad; ``ends`` are those on the way to it."""
 
     poses: AxlePoses
     roll: Array
     pitch: Array
+    ends: tuple[End, ...]
 
     def ground(self, name: str, motion: str) -> Ground:
         side = _SIDES[name]
@@ -88,7 +98,8 @@ def travel_of_axle(rig: DependentAxle, travel: Array, vehicle: AxleLayout | None
     """Sweep both wheels together, the road level under the body."""
     axle = SweptAxle(rig)
     level = np.zeros_like(travel)
-    on_road = _OnRoad(axle.at(travel, travel, stops=True), level, level)
+    poses = axle.at(travel, travel, stops=True)
+    on_road = _OnRoad(poses, level, level, poses.ends)
     row = _ROWS["wheel_travel"]
     variables = AxleVariables("wheel_travel", travel, "m", row.long_name, row.sign)
     return _dataset(variables, axle, on_road, vehicle, kept=False)
@@ -98,14 +109,20 @@ def roll_of_axle(rig: DependentAxle, roll: Array) -> xr.Dataset:
     """Roll the body; both wheels travel by the same amount in opposite directions."""
     axle = SweptAxle(rig)
     level = np.zeros_like(roll)
-    away = np.abs(axle.wheels[0][1][1]) * np.tan(roll)
+    away = np.abs(axle.wheels[0][1][1]) * np.sin(roll)
+    ends: tuple[End, ...] = ()
     for _ in range(_ITERATIONS):
-        on_road = _OnRoad(axle.at(-away, away), roll, level)
+        poses = axle.at(-away, away)
+        ends += poses.ends  # a lost pose is NaN in all further iterations
+        on_road = _OnRoad(poses, roll, level, ends)
         left, right = on_road.grounds("opposed")
         off = left.height - right.height
         if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
             break
         away = away + off / (left.height_by_travel + right.height_by_travel)
+    else:
+        poses = poses.without(np.abs(off) > _OFF, np.stack([-away, away], axis=1))
+        on_road = _OnRoad(poses, roll, level, ends + poses.ends)
     variables = AxleVariables("roll_angle", roll, "rad", "roll angle of the body", _ROLLS)
     return _dataset(variables, axle, on_road, None, kept=False)
 
@@ -146,10 +163,13 @@ def _middle(axle: SweptAxle) -> Array:
 def _on_road(axle: SweptAxle, at: Mapping[str, Array]) -> _OnRoad:
     """Move the wheels until both touch the road given by heave, roll and pitch of the body."""
     middle, half_track = _middle(axle), abs(axle.wheels[0][1][1])
-    tilt = half_track * np.tan(at["roll"])
+    tilt = half_track * np.sin(at["roll"])
     left, right = -at["heave"] - tilt, -at["heave"] + tilt
+    ends: tuple[End, ...] = ()
     for _ in range(_ITERATIONS):
-        on_road = _OnRoad(axle.at(left, right), at["roll"], at["pitch"])
+        poses = axle.at(left, right)
+        ends += poses.ends
+        on_road = _OnRoad(poses, at["roll"], at["pitch"], ends)
         gaps, slopes = [], []
         for name, side in _SIDES.items():
             together, opposed = (on_road.ground(name, motion) for motion in MOTIONS)
@@ -162,6 +182,10 @@ def _on_road(axle: SweptAxle, at: Mapping[str, Array]) -> _OnRoad:
         up, apart = (d * gaps[0] - b * gaps[1]) / size, (a * gaps[1] - c * gaps[0]) / size
         left = left - np.clip(up + apart, -_STEP, _STEP)
         right = right - np.clip(up - apart, -_STEP, _STEP)
+    else:
+        lost = np.any(np.abs(gaps) > _OFF, axis=0)
+        poses = poses.without(np.asarray(lost), np.stack([left, right], axis=1))
+        on_road = _OnRoad(poses, at["roll"], at["pitch"], ends + poses.ends)
     return on_road
 
 
@@ -170,7 +194,7 @@ def _on_wheels(axle: SweptAxle, at: Mapping[str, Array]) -> _OnRoad:
     poses = axle.at(at["left travel"], at["right travel"])
     roll = np.zeros_like(at["pitch"])
     for _ in range(_ITERATIONS):
-        on_road = _OnRoad(poses, roll, at["pitch"])
+        on_road = _OnRoad(poses, roll, at["pitch"], poses.ends)
         left, right = on_road.grounds("together")
         off = left.height - right.height
         if np.nanmax(np.abs(off), initial=0.0) < _LEVEL:
@@ -191,17 +215,16 @@ def _dataset(
     """Dataset of all rows; poses out of reach are left out unless they are ``kept``, as NaN."""
     reached = on_road.poses.reached
     if not reached.any():
-        raise no_pose(on_road.poses.ends)
+        raise no_pose(on_road.ends)
     for name in _SIDES:
         _add_wheel(variables, axle, on_road, name)
     _add_axle(variables, on_road)
     _add_road(variables, on_road)
     if vehicle is not None:
         _add_shares(variables, axle, on_road, vehicle)
-    ends = [] if reached.all() else on_road.poses.ends
     data = variables.dataset(reached | kept, (), axle.rig)
-    if ends:
-        data.attrs.update(status="end_of_travel", stopped="; ".join(map(str, ends[:2])))
+    if not reached.all():
+        data.attrs.update(status="end_of_travel", stopped=ends_text(on_road.ends))
     if not axle.is_ideal:
         data.attrs["findings"] = str(finding("kinematics.bushings_yield", "bushings"))
     return data

@@ -1,12 +1,13 @@
 """Poses of a dependent axle at pairs of wheel travels, and its exact rates while wheels move together or opposed.
 
 The body is held and the heights of both wheel centres are prescribed. Joints are ideal if the axle then moves as an
-axle does; otherwise its bushings yield as described, without springs and preloads, which only forces would balance.
+axle does; otherwise its bushings yield as described, without springs, bars and preloads, which only forces would
+balance.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -52,6 +53,15 @@ class AxlePoses:
     def reached(self) -> NDArray[np.bool_]:
         """Which pairs are reached."""
         return np.asarray(np.isfinite(self.poses).all(axis=(1, 2)))
+
+    def without(self, lost: NDArray[np.bool_], wanted: Array) -> AxlePoses:
+        """Return the poses without those ``lost`` on the way to other travels (n, 2), m, and only the ends of these."""
+        names = "poses", "rates", "forces", "force_rates"
+        arrays = {name: getattr(self, name).copy() for name in names}
+        for values in arrays.values():
+            values[lost] = np.nan
+        ends = [_end(self.travels[k], wanted[k]) for k in np.flatnonzero(lost)]
+        return replace(self, **arrays, ends=tuple(ends))
 
     def along(self, motion: str) -> Array:
         """Velocities and rotations of all bodies along a motion, shape (n, bodies, 6)."""
@@ -167,7 +177,7 @@ class SweptAxle:
         self._bodies = len(assembly.bodies)
 
     def _at_rest(self, data: Array) -> Array:
-        """Return the numbers of all elements without friction; without springs and preloads if bushings yield."""
+        """Return the numbers of all elements without friction; without springs, bars and preloads if bushings yield."""
         data = data.copy()
         for row, element in zip(data, self.built.assembly.elements, strict=True):
             if element.kind == eq.BUSHING:
@@ -178,6 +188,8 @@ class SweptAxle:
                 row[[eq.SLIP, eq.HOLD]] = 0.0
                 if not self.is_ideal and element.name.partition(".")[2] in _STRUT:
                     row[[eq.PRELOAD, eq.RATE, eq.FACTOR]] = 0.0
+            elif element.kind == eq.TWIST and not self.is_ideal:
+                row[[eq.PRELOAD, eq.RATE]] = 0.0
         return data
 
     def at(self, left: Array, right: Array, *, stops: bool = False) -> AxlePoses:
@@ -228,9 +240,7 @@ class SweptAxle:
             return done, None
         last = space.pose[self._bodies : 2 * self._bodies]
         heights = [moved(last[body], centre)[2] - centre[2] for body, centre, *_ in self.wheels]
-        wanted = found.travels[chain[done]]
-        which = int(np.argmax(np.abs(wanted)))
-        return done, End(float(heights[which]), 0.0, float(wanted[which]), 0.0, ())
+        return done, _end(np.array(heights), found.travels[chain[done]])
 
     def _settle(self, targets: Array) -> tuple[eq.Settled, eq.Space]:
         steps, controls = targets.shape
@@ -258,3 +268,9 @@ class SweptAxle:
             found.rates[place, :, :, wheel] = along[: 6 * self._bodies].reshape(-1, 6)
             found.force_rates[place, :, wheel] = along[rows]
         found.forces[place] = settled.multipliers[mark, [row - 6 * self._bodies for row in rows]]
+
+
+def _end(reached: Array, wanted: Array) -> End:
+    """Return the end of travel of a pair (2,), m: that of the wheel with the larger travel."""
+    which = int(np.argmax(np.abs(wanted)))
+    return End(float(reached[which]), 0.0, float(wanted[which]), 0.0, ())

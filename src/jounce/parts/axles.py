@@ -52,6 +52,8 @@ class AxleHardpoints(NamedPoints):
     )
     one_sided: ClassVar[tuple[str, ...]] = ()
     """Points that exist once and may lie anywhere."""
+    beside: ClassVar[Groups] = (("wheel_centre",),)
+    """Groups of which a point lies beside the centre plane, so that its mirror image differs."""
 
     @model_validator(mode="after")
     def _is_the_left_side(self) -> Self:
@@ -65,13 +67,16 @@ class AxleHardpoints(NamedPoints):
                     allowed="points of the left side, y from 0",
                     hint="The right side is their mirror image.",
                 )
-        if self.wheel_centre[1] < SAME_POINT:
-            raise error_at(
-                ("wheel_centre",),
-                "lies in the centre plane of the car",
-                found=write_point(self.wheel_centre),
-                allowed="a left wheel, y above 0",
-            )
+        for group in self.beside:
+            points = [getattr(self, name) for name in group]
+            if all(point[1] < SAME_POINT for point in points):
+                raise error_at(
+                    group[:1],
+                    "lies in the centre plane of the car",
+                    found=write_point(points[0]),
+                    allowed="a point of the left side, y above 0",
+                    hint="The axle has it on both sides.",
+                )
         return self
 
 
@@ -88,8 +93,24 @@ class AxleBar(AntiRollBar):
     kind: Literal["u"] = "u"
 
 
-class AxleParts(Description):
-    """Bushings or stiffnesses of links by the name of a hardpoint or link."""
+class AxleBushings(Description):
+    """Bushings in place of ball joints, by the name of a hardpoint; those of the left side act on both."""
+
+    strut_bottom: Bushing | None = None
+    strut_top: Bushing | None = None
+    spring_bottom: Bushing | None = None
+    spring_top: Bushing | None = None
+    damper_bottom: Bushing | None = None
+    damper_top: Bushing | None = None
+    arb_pivot: Bushing | None = None
+    arb_arm_end: Bushing | None = None
+    arb_link_end: Bushing | None = None
+
+
+class AxleLinks(Description):
+    """Links that yield under load, by their name."""
+
+    arb_link: Link | None = None
 
 
 class AxleBodies(Description):
@@ -110,8 +131,8 @@ class DependentAxle(Rig):
     hardpoints: AxleHardpoints
     bodies: AxleBodies | None = None
     strut: AxleStrut
-    bushings: AxleParts
-    links: AxleParts
+    bushings: AxleBushings
+    links: AxleLinks
     anti_roll_bar: AxleBar | None = None
     bearing: WheelBearing | None = None
 
@@ -200,6 +221,7 @@ class SolidAxleHardpoints(AxleHardpoints):
         ("watt_pivot", "watt_upper_axle"),
         ("watt_pivot", "watt_lower_axle"),
     )
+    beside = (("wheel_centre",), ("lower_link_axle", "lower_link_body"))
     one_sided = (
         "panhard_axle",
         "panhard_body",
@@ -217,8 +239,8 @@ class SolidAxleHardpoints(AxleHardpoints):
         return all(end is not None and abs(end[1]) < CENTRED for end in ends)
 
 
-class SolidAxleBushings(AxleParts):
-    """Bushings in place of ball joints; those of the left side act on both."""
+class SolidAxleBushings(AxleBushings):
+    """Bushings of a solid axle."""
 
     lower_link_axle: Bushing | None = None
     lower_link_body: Bushing | None = None
@@ -230,26 +252,16 @@ class SolidAxleBushings(AxleParts):
     watt_upper_body: Bushing | None = None
     watt_lower_axle: Bushing | None = None
     watt_lower_body: Bushing | None = None
-    strut_bottom: Bushing | None = None
-    strut_top: Bushing | None = None
-    spring_bottom: Bushing | None = None
-    spring_top: Bushing | None = None
-    damper_bottom: Bushing | None = None
-    damper_top: Bushing | None = None
-    arb_pivot: Bushing | None = None
-    arb_arm_end: Bushing | None = None
-    arb_link_end: Bushing | None = None
 
 
-class SolidAxleLinks(AxleParts):
-    """Links that yield under load."""
+class SolidAxleLinks(AxleLinks):
+    """Links of a solid axle that yield under load."""
 
     lower_link: Link | None = None
     upper_link: Link | None = None
     panhard: Link | None = None
     watt_upper: Link | None = None
     watt_lower: Link | None = None
-    arb_link: Link | None = None
 
 
 class SolidAxleBodies(AxleBodies):
@@ -315,6 +327,7 @@ class TwistBeamHardpoints(AxleHardpoints):
     shear_centre: Point
 
     different = (("pivot", "wheel_centre"),)
+    beside = (("wheel_centre",), ("pivot",))
     one_sided = ("shear_centre",)
 
     @model_validator(mode="after")
@@ -329,25 +342,10 @@ class TwistBeamHardpoints(AxleHardpoints):
         return self
 
 
-class TwistBeamBushings(AxleParts):
-    """Bushings; those of the left side act on both."""
+class TwistBeamBushings(AxleBushings):
+    """Bushings of a twist beam."""
 
     pivot: Bushing | None = None
-    strut_bottom: Bushing | None = None
-    strut_top: Bushing | None = None
-    spring_bottom: Bushing | None = None
-    spring_top: Bushing | None = None
-    damper_bottom: Bushing | None = None
-    damper_top: Bushing | None = None
-    arb_pivot: Bushing | None = None
-    arb_arm_end: Bushing | None = None
-    arb_link_end: Bushing | None = None
-
-
-class TwistBeamLinks(AxleParts):
-    """Links that yield under load."""
-
-    arb_link: Link | None = None
 
 
 class Beam(Description):
@@ -370,7 +368,7 @@ class TwistBeam(DependentAxle):
     bodies: TwistBeamBodies | None = None
     beam: Beam
     bushings: TwistBeamBushings = TwistBeamBushings()
-    links: TwistBeamLinks = TwistBeamLinks()
+    links: AxleLinks = AxleLinks()
 
     bushed_in_runs = ("pivot",)
 

@@ -228,6 +228,44 @@ def test_a_sweep_beyond_the_links_keeps_the_poses_before() -> None:
     assert np.isfinite(pairs["track"].values).tolist() == [True, False, True]
 
 
+@pytest.mark.parametrize("rig", [solid(PANHARD), jn.load("twist-beam")], ids=["rod", "beam"])
+def test_poses_that_are_lost_on_the_way_to_the_road_are_reported(
+    rig: SolidAxle | TwistBeam,
+) -> None:
+    roll = jn.sweep_roll(rig, [0.0, 0.4, 0.8, 1.1])
+    assert roll.sizes["roll_angle"] < 4
+    assert roll.attrs["status"] == "end_of_travel"
+    assert "reaches the end of its travel" in roll.attrs["stopped"]
+    placed = jn.sweep_axle(rig, heave=[0.0, -0.9, 0.02])
+    assert np.isfinite(placed["track"].values).tolist() == [True, False, True]
+    assert placed.attrs["status"] == "end_of_travel"
+    assert "reaches the end of its travel" in placed.attrs["stopped"]
+
+
+def test_an_attitude_in_which_no_pair_of_travels_touches_the_road_is_left_out() -> None:
+    attitude = {"heave": [-0.2135, 0.0], "roll": [0.2914, 0.0], "pitch": [0.2718, 0.0]}
+    placed = jn.sweep_axle(solid(PANHARD), **attitude)  # type: ignore[arg-type]
+    assert np.isfinite(placed["left.camber"].values).tolist() == [False, True]
+    assert placed.attrs["stopped"].count("reaches the end of its travel") == 1
+
+
+def test_a_bar_does_not_bend_an_axle_on_its_bushings() -> None:
+    bare = jn.load("solid-axle")
+    points = {"arb_pivot": [0.2, 0.4, 0.3], "arb_arm_end": [0.0, 0.45, 0.28]}
+    points["arb_link_end"] = [0.0, 0.45, 0.2]
+    changes = {f"hardpoints.{name}": point for name, point in points.items()}
+    barred = bare.with_changes({**changes, "anti_roll_bar": {"stiffness": 5e4}})
+    sweeps = [jn.sweep_roll(rig, [0.05]) for rig in (bare, barred)]
+    for name in ("lateral_shift", "axle_steer", "roll_centre_height"):
+        assert float(sweeps[0][name][0]) == pytest.approx(float(sweeps[1][name][0]), abs=1e-12)
+
+
+def test_a_solid_axle_rolls_as_far_as_its_links_reach() -> None:
+    """Its wheels are on one line: they travel by half of the track times the sine of the roll."""
+    roll = jn.sweep_roll(solid(WATT), [0.0, 0.6])
+    assert float(roll["right.wheel_travel"][1]) == pytest.approx(0.75 * np.sin(0.6), rel=1e-2)
+
+
 def test_an_axle_that_binds_moves_on_its_bushings_and_says_so() -> None:
     sweep = jn.sweep_roll(jn.load("solid-axle"), "-2 deg:2 deg:1 deg")
     assert "bushings yield" in sweep.attrs["findings"]
@@ -250,6 +288,20 @@ def test_an_axle_that_binds_moves_on_its_bushings_and_says_so() -> None:
 def test_what_an_axle_has_not_is_refused(call, message: str) -> None:
     with pytest.raises(DescriptionError, match=message):
         call(jn.load("twist-beam"))
+
+
+def test_parts_of_both_sides_lie_beside_the_centre_plane() -> None:
+    middle = {"lower_link_axle": [0.0, 0.0, 0.2], "lower_link_body": [0.5, 0.0, 0.2]}
+    with pytest.raises(DescriptionError, match=r"lower_link_axle: lies in the centre plane"):
+        solid(PANHARD, **middle)
+    with pytest.raises(DescriptionError, match=r"pivot: lies in the centre plane"):
+        ideal_beam(**{"hardpoints.pivot": [0.4, 0.0, 0.31]})
+
+
+def test_links_that_coincide_are_refused() -> None:
+    lower = {name.replace("lower", "upper"): POINTS[name] for name in POINTS if "lower" in name}
+    with pytest.raises(DescriptionError, match=r"twice in the same way.*2 equations"):
+        jn.sweep_travel(solid(PANHARD, **lower), [0.0])
 
 
 def test_command_figures_and_page_take_dependent_axles(tmp_path) -> None:
