@@ -18,7 +18,7 @@ from jounce.core.files import existing_file, reading
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
 from jounce.core.plain_rows import parse_plain_rows
-from jounce.core.text import unguard_formula
+from jounce.core.text import is_number, unguard_formula
 from jounce.core.types import Array
 from jounce.core.units import LARGEST, conversion_factor, is_unit, is_unit_of
 from jounce.core.waiting import Stage, report_work
@@ -522,7 +522,7 @@ def _row(line: str, separator: str, width: int | None = None) -> list[str]:
 
 
 def _has_number(cell: str) -> bool:
-    return _is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) is not None
+    return is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) is not None
 
 
 def _are_names(cells: list[str]) -> bool:
@@ -612,7 +612,7 @@ def _separator_of(header: str, row: str) -> str:
         return separator
     cells = _cells(row, " ")
     return (
-        " " if len(cells) > 1 and all(_is_number(cell.replace(",", ".")) for cell in cells) else ","
+        " " if len(cells) > 1 and all(is_number(cell.replace(",", ".")) for cell in cells) else ","
     )
 
 
@@ -687,14 +687,6 @@ def _is_loose_unit(text: str) -> bool:
     return bool(text) and (text in _SINGLE_LETTERS if len(text) == 1 else is_unit(text))
 
 
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return "_" not in cell
-
-
 def _check_header(header: list[str], file: Path, line: int, separator: str, named: int) -> None:
     where = at_line(file, line)
     if any(len(cell) > _LONGEST_CELL for cell in header):
@@ -703,7 +695,7 @@ def _check_header(header: list[str], file: Path, line: int, separator: str, name
             where=where,
             allowed=Phrase("{longest_cell} characters", longest_cell=_LONGEST_CELL),
         )
-    if all(_is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) for cell in header if cell):
+    if all(is_number(cell) or _DECIMAL_COMMA.fullmatch(cell) for cell in header if cell):
         written, allowed = separator.join(header), "'name [unit]' for every column"
         if named:
             raise RecordingError(
@@ -966,7 +958,7 @@ def _mark_of(cell: str) -> str:
     """Decimal mark of a number; empty without one, or for text."""
     if _DECIMAL_COMMA.fullmatch(cell):
         return ","
-    return "." if "." in cell and _is_number(cell) else ""
+    return "." if "." in cell and is_number(cell) else ""
 
 
 def _decimal_mark(cells: list[str]) -> str:
@@ -1013,12 +1005,12 @@ def _numbers(
     filled = np.flatnonzero([not _is_missing(cell) for cell in texts])
     if 0 < filled.size < len(texts):
         held = [texts[row] for row in filled]
-        if all(map(_is_number, held)) and np.isfinite(numbers := np.array(held, dtype=float)).all():
+        if all(map(is_number, held)) and np.isfinite(numbers := np.array(held, dtype=float)).all():
             part = filled, numbers
     wrong = next(
-        i for i, cell in enumerate(texts) if not _is_number(cell) or not math.isfinite(float(cell))
+        i for i, cell in enumerate(texts) if not is_number(cell) or not math.isfinite(float(cell))
     )
-    no_numbers = not any(_is_number(cell) for cell in texts)
+    no_numbers = not any(is_number(cell) for cell in texts)
     fault = _bad_cell(
         cells[wrong], below(at_line(file, lines[wrong]), column), no_numbers=no_numbers
     )
@@ -1066,7 +1058,7 @@ def _bad_cell(cell: str, where: str, *, no_numbers: bool) -> RecordingError:
             allowed="a decimal point",
             hint=Phrase("Write {cell}.", cell=cell.replace(",", ".")),
         )
-    if _is_number(cell):
+    if is_number(cell):
         return RecordingError(
             "not a finite number", where=where, found=cell, hint="Fill the gap or remove the row."
         )

@@ -171,3 +171,16 @@ def listed_places(places: list[str]) -> str:
     more = f" and {len(places) - _MOST_PLACES} more" if len(places) > _MOST_PLACES else ""
     mark = "; " if any(", " in place for place in places) else ", "
     return mark.join(places[:_MOST_PLACES]) + more
+
+
+def is_number(text: str) -> bool:
+    """Whether a text is a number with a decimal point; Python's underscores are damage in a file.
+
+    >>> [is_number(text) for text in ("-1.5e3", "nan", "1,5", "1_0", "")]
+    [True, True, False, False, False]
+    """
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return "_" not in text

@@ -203,6 +203,9 @@ def read_recording(
     }
     rates = {name: rate for _, names, rate in slower for name in names}
     attributes = dict(signals.attributes)
+    if given_step is not None and attributes.pop("beacons", None) is not None:
+        attributes.pop("beacon_names", None)
+        findings.append(finding("recordings.beacons_of_other_time", str(file)))
     if rates:
         attributes["recorded_rates"] = "; ".join(
             f"{name} {rate:g} Hz, between them a spline" for name, rate in rates.items()

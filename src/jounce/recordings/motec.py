@@ -49,7 +49,6 @@ _KINDS = {
 }
 """Number types by their two codes: family, and bytes of a number."""
 _LONGEST_LDX = 5_000_000  # bytes
-_MOST_BEACONS = 10_000
 _MICROSECOND = 1e-6
 
 
@@ -251,7 +250,7 @@ def _beacons(path: Path) -> tuple[dict[str, object], list[Finding]]:
             for group in root.iter("MarkerGroup")
             if group.get("Name", "").startswith("Beacon")
             for marker in group.iter("Marker")
-        ][:_MOST_BEACONS]
+        ]
     except (OSError, ValueError, LookupError, RecursionError, ET.ParseError) as error:
         reason = f"no {error}" if isinstance(error, KeyError) else str(error)
         return {}, [finding("recordings.no_beacons", str(beside), reason=reason)]

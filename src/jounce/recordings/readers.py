@@ -39,6 +39,7 @@ from jounce.core.types import Array
 from jounce.core.units import is_unit, is_unit_of
 from jounce.core.workbooks import sheets_of
 from jounce.core.writing import working_folder
+from jounce.recordings.aim import preamble
 from jounce.recordings.hdf5 import announcement, check_size, surplus
 from jounce.recordings.isolated import is_possible, read_isolated, too_much_memory
 from jounce.recordings.labview import FIRST, plain_columns
@@ -46,7 +47,6 @@ from jounce.recordings.matlab import read_matrices
 from jounce.recordings.motec import read_log
 from jounce.recordings.netcdf import VariableGroup, open_netcdf
 from jounce.recordings.parquet import check_counts, check_end
-from jounce.recordings.race_tables import preamble
 from jounce.recordings.reader import Read, Reader, ReaderOptions, SignalTable
 from jounce.recordings.rpc import SUFFIXES as RPC_SUFFIXES
 from jounce.recordings.rpc import read_rpc
@@ -253,17 +253,15 @@ def _rename(table: ColumnTable, header: str) -> ColumnTable:
 def _read_csv(path: Path, options: ReaderOptions) -> SignalTable:
     """Read columns separated by commas, semicolons or tabs; also LabVIEW text files, whatever their suffix.
 
-    Of tables of AiM the texts above the header are attributes, and its beacon markers lap markers.
+    The texts and beacon markers above a table of AiM become attributes.
     """
     text = text_of(path)
     if text.startswith(FIRST):
         return _labview(text, path, options)
+    columns = columns_in(text, path, len(parse_header(options.header)) if options.header else 0)
+    attributes, findings = preamble(text, path)
     return SignalTable(
-        _rename(
-            columns_in(text, path, len(parse_header(options.header)) if options.header else 0),
-            options.header,
-        ),
-        attributes=preamble(text),
+        _rename(columns, options.header), attributes=attributes, findings=tuple(findings)
     )
 
 
@@ -819,15 +817,11 @@ def _read_parquet(path: Path, options: ReaderOptions) -> SignalTable:
 def _read_rpc(path: Path, options: ReaderOptions) -> SignalTable:
     """Read all channels, named by their descriptions, in their units; time follows from ``DELTA_T``.
 
-    It is read here, not in a child: no library is involved, and no more is allocated than the file contains.
+    No child process is needed: no library is involved, and memory is limited by the size of the file.
     """
     with reading(path, RecordingError):
-        history = read_rpc(path)
-    return SignalTable(
-        _table_of(history.columns, path, options),
-        attributes=history.attributes,
-        findings=history.findings,
-    )
+        signals = read_rpc(path)
+    return replace(signals, columns=_rename(signals.columns, options.header))
 
 
 @reader(
@@ -857,12 +851,8 @@ def _read_motec(path: Path, options: ReaderOptions) -> SignalTable:
 )
 def _read_vbo(path: Path, options: ReaderOptions) -> SignalTable:
     """Read the rows of a drive: time in s, positions in degrees to the north and east, laps from the start line."""
-    drive = read_vbo(text_of(path), path)
-    return SignalTable(
-        _table_of(drive.columns, path, options),
-        attributes=drive.attributes,
-        findings=drive.findings,
-    )
+    signals = read_vbo(text_of(path), path)
+    return replace(signals, columns=_rename(signals.columns, options.header))
 
 
 _SST_HEAD = struct.Struct("<3sBHHq")  # signature, version, rate in Hz, padding, seconds since 1970
@@ -877,7 +867,7 @@ _NO_SENSOR = 0xFFFF
     example="columns={'front.fork.counts': 'fork'}, sensors='bicycle.toml'",
 )
 def _read_sst(path: Path, options: ReaderOptions) -> SignalTable:
-    """Read pairs of 16-bit numbers of the angle sensors; a sensor that was not there is left out."""
+    """Read pairs of 16-bit numbers of the angle sensors; a missing sensor is left out, a missing sample is NaN."""
     with reading(path, RecordingError):
         content = path.read_bytes()
     size = _SST_HEAD.size
@@ -890,11 +880,11 @@ def _read_sst(path: Path, options: ReaderOptions) -> SignalTable:
             allowed="SST, version 3, a rate above 0 Hz",
         )
     counts = np.frombuffer(content, "<u2", offset=size, count=(len(content) - size) // 4 * 2)
-    pairs = counts.reshape(-1, 2).T.astype(float)
+    pairs = np.where(counts == _NO_SENSOR, np.nan, counts).reshape(-1, 2).T
     time = np.asarray(np.arange(pairs.shape[1]) / rate, dtype=float)
     columns, left_out = [Column("time", "s", time, str(path))], []
     for name, values in zip(("fork", "shock"), pairs, strict=True):
-        if (values == _NO_SENSOR).all():
+        if np.isnan(values).all():
             left_out.append(name)
         else:
             columns.append(Column(name, "counts", np.ascontiguousarray(values), str(path)))

@@ -16,12 +16,14 @@ from typing import BinaryIO
 
 import numpy as np
 
-from jounce.core.columns import Column
+from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import OutputError, RecordingError
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
+from jounce.core.text import is_number
 from jounce.core.types import Array
 from jounce.recordings.hdf5 import announcement, check_size, surplus
+from jounce.recordings.reader import SignalTable
 
 SUFFIXES = (".rsp", ".rpc", ".rpc3", ".tim", ".drv")
 FULL_SCALE = 32752
@@ -38,23 +40,14 @@ _AT_ONCE = 1 << 23  # bytes read at a time
 _NO_UNIT = ("NONE", "N/A", "-")
 _FEWEST_PADDED = 8  # equal samples at the end of all channels that are taken for padding
 _POINTS = 2048  # of a frame and a group when written: rpc-reader misreads groups that are not full of frames
-_BLANKS = bytes.maketrans(b"\t\r\n,;\0", b"      ")
-
-
-@dataclass(frozen=True)
-class TimeHistory:
-    """Columns of an RPC III file, the first of which is time, its keywords, and findings."""
-
-    columns: tuple[Column, ...]
-    attributes: Mapping[str, object]
-    findings: tuple[Finding, ...]
+_BLANKS = bytes.maketrans(b"\t\r\n\0", b"    ")
 
 
 # --- reading
 
 
-def read_rpc(path: Path) -> TimeHistory:
-    """Read all channels; a file that was cut off keeps the groups that it contains, with a problem."""
+def read_rpc(path: Path) -> SignalTable:
+    """Read time and all channels; of a file that was cut off the complete groups, with a problem."""
     size = path.stat().st_size
     with path.open("rb") as stream:
         head = stream.read(_MOST_BLOCKS * _BLOCK)
@@ -91,9 +84,8 @@ def read_rpc(path: Path) -> TimeHistory:
         for key, name in (("DATE", "date"), ("OPERATION", "operation"), ("TIME_TYPE", "time_type"))
         if keywords.get(key)
     }
-    return TimeHistory(
-        (Column("time", "s", time, str(path)), *columns), attributes, (*findings, *remarks)
-    )
+    table = ColumnTable((Column("time", "s", time, str(path)), *columns), (), str(path))
+    return SignalTable(table, attributes=attributes, findings=(*findings, *remarks))
 
 
 @dataclass(frozen=True)
@@ -249,14 +241,14 @@ def _number(keywords: Mapping[str, str], key: str, path: Path) -> float:
     return number
 
 
-def _count(keywords: Mapping[str, str], key: str, path: Path, most: int) -> int:
+def _count(keywords: Mapping[str, str], key: str, path: Path, most: int, *, least: int = 1) -> int:
     number = _number(keywords, key, path)
-    if not 1 <= number <= most or number != math.floor(number):
+    if not least <= number <= most or number != math.floor(number):
         raise RecordingError(
             "an impossible count: the file is damaged",
             where=f"{path}: {key}",
             found=keywords[key],
-            allowed=Phrase("1 to {most}", most=most),
+            allowed=Phrase("{least} to {most}", least=least, most=most),
         )
     return int(number)
 
@@ -298,14 +290,12 @@ def _binary(
     check_size(points * layout.channels, str(path))
     raw = [np.empty(0 if isinstance(scale, RecordingError) else points) for scale in scales]
     stream.seek(start)
+    full = groups - (last < width)
     at_once = max(1, _AT_ONCE // (of_group * dtype.itemsize))
-    done = 0
-    while done < groups:
-        many = min(at_once, groups - done)
-        many = (
-            1 if last < width and done == groups - 1 else min(many, groups - done - (last < width))
-        )
-        own = last if last < width and done == groups - 1 else width
+    parts = [(done, min(at_once, full - done), width) for done in range(0, full, at_once)]
+    if last < width:
+        parts.append((full, 1, last))
+    for done, many, own in parts:
         wanted = many * layout.channels * own
         numbers = np.frombuffer(stream.read(wanted * dtype.itemsize), dtype)
         if numbers.size < wanted:
@@ -322,7 +312,6 @@ def _binary(
                 numbers = numbers.reshape(-1)[: piece.size]
             with np.errstate(invalid="ignore"):  # NaN is refused by its row
                 np.multiply(numbers, scale, out=piece)
-        done += many
     return raw, points, findings
 
 
@@ -374,25 +363,20 @@ def _parsed(content: bytes, path: Path) -> Array:
         end = content.find(b" ", start + _AT_ONCE // 8)
         words = content[start : end if end > 0 else None].split()
         try:
-            pieces.append(np.array(words, dtype=float) if words else np.empty(0))
+            values = np.array(words, dtype=float)
         except ValueError:
-            wrong = next(word for word in words if not _is_number(word))
+            values = None
+        if values is None or b"_" in content[start : end if end > 0 else None]:
+            texts = (word.decode("latin-1") for word in words)
             raise RecordingError(
                 "text in a number column",
                 where=str(path),
-                found=_text(wrong)[:80],
-                allowed="a number",
-            ) from None
+                found=next(text for text in texts if not is_number(text))[:80],
+                allowed="a number with a decimal point",
+            )
+        pieces.append(values)
         start = end if end > 0 else len(content)
     return np.concatenate(pieces)
-
-
-def _is_number(word: bytes) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
 
 
 Scale = float | RecordingError
@@ -431,18 +415,22 @@ def _scales_of_floats(keywords: Mapping[str, str], layout: _Layout, path: Path) 
     if layout.kind == "i2":
         return []
     scales = [keywords.get(f"SCALE.CHAN_{k}", "1") for k in layout.numbers]
-    odd = [scale for scale in scales if not _is_number(scale.encode()) or float(scale) != 1.0]
+    odd = [scale for scale in scales if not is_number(scale) or float(scale) != 1.0]
     return [finding("recordings.scale_of_floats", str(path), scale=odd[0])] if odd else []
 
 
 def _without_padding(
     columns: Sequence[Column], held: int, keywords: Mapping[str, str], layout: _Layout, path: Path
 ) -> tuple[int, list[Finding]]:
-    """Return the number of samples before the padding of the last group: zeros, or the last values repeated."""
+    """Return the number of samples before the padding of the last frame: zeros, or the last values repeated.
+
+    A longer rest belongs to the record: padding is shorter than a frame.
+    """
+    frame = layout.points_per_frame
     if "SAMPLES" in keywords:
-        samples = _count(keywords, "SAMPLES", path, layout.points)
-        return min(samples, held), []
-    ends = [column.values[-layout.points_per_group :] for column in columns if not column.fault]
+        least = layout.points - frame + 1
+        return min(_count(keywords, "SAMPLES", path, layout.points, least=least), held), []
+    ends = [column.values[-frame:] for column in columns if not column.fault]
     if held < layout.points or not ends:
         return held, []
     equal = np.all([end == end[-1] for end in ends], axis=0)

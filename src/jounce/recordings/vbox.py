@@ -11,19 +11,20 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 
-from jounce.core.columns import Column
+from jounce.core.columns import Column, ColumnTable
 from jounce.core.errors import RecordingError, at_line
 from jounce.core.findings import Finding, finding
 from jounce.core.phrases import Phrase
+from jounce.core.text import is_number
 from jounce.core.types import Array
 from jounce.core.units import is_unit
 from jounce.recordings.laps import beacon_attributes
+from jounce.recordings.reader import SignalTable
 
 _SECTION = re.compile(r"\[([^\[\]]{1,60})\]\s*")
 _USUAL = {
@@ -39,21 +40,15 @@ _USUAL = {
 }
 """Units of the usual columns, per the VBOX manuals, where the file states none."""
 _TIME, _LATITUDE, _LONGITUDE = ("time",), ("lat", "latitude"), ("long", "longitude")
+_FIXED = (*_TIME, *_LATITUDE, *_LONGITUDE)
+_QUANTITIES = ("velocity", "speed", "accel", "acceleration", "heading", "height", "altitude")
+"""Last words of titles without a unit: ``vertical velocity``."""
 _MINUTES = 60.0
 _DAY = 86400.0
 _NEAR = 180.0  # minutes: positions so close to 0 N 0 E are probably in degrees
 
 
-@dataclass(frozen=True)
-class Drive:
-    """Columns of a VBO file, its texts and lap markers, and findings."""
-
-    columns: tuple[Column, ...]
-    attributes: Mapping[str, object]
-    findings: tuple[Finding, ...]
-
-
-def read_vbo(text: str, path: Path) -> Drive:
+def read_vbo(text: str, path: Path) -> SignalTable:
     """Read the rows of ``[data]``, named by ``[column names]``, with the units of ``[header]``."""
     lines = text.splitlines()
     sections = _sections(lines)
@@ -78,7 +73,9 @@ def read_vbo(text: str, path: Path) -> Drive:
     findings += _degrees(table, names, path)
     attributes = _comments(lines, sections)
     attributes |= _laps(lines, sections, columns)
-    return Drive(tuple(columns), attributes, tuple(findings))
+    return SignalTable(
+        ColumnTable(tuple(columns), (), str(path)), attributes=attributes, findings=tuple(findings)
+    )
 
 
 def _sections(lines: Sequence[str]) -> dict[str, tuple[int, int]]:
@@ -97,10 +94,13 @@ def _sections(lines: Sequence[str]) -> dict[str, tuple[int, int]]:
 def _rows(
     lines: Sequence[str], first: int, names: Sequence[str], path: Path, is_whole: bool
 ) -> tuple[Array, list[Finding]]:
-    """Return the numbers of all rows; the last row of a file that was cut off is left out, with a problem."""
+    """Return the numbers of all rows; the last row of a file that was cut off is left out, with a problem.
+
+    Loggers write rows of one width: a shorter last row without an end of line lost cells or digits.
+    """
     rows = [(line, i) for i, line in enumerate(lines, first) if line.strip()]
     findings: list[Finding] = []
-    if len(rows) > 1 and not is_whole and len(rows[-1][0].split()) < len(names):
+    if len(rows) > 1 and not is_whole and len(rows[-1][0]) < len(rows[-2][0]):
         rows.pop()
         findings.append(finding("recordings.row_cut_off", str(path)))
     if len(rows) < 2:
@@ -122,7 +122,7 @@ def _rows(
                     ),
                 )
             for cell, name in zip(cells, names, strict=True):
-                if not _is_number(cell):
+                if not is_number(cell):
                     raise RecordingError(
                         "text in a number column",
                         where=f"{at_line(path, number)}: {name}",
@@ -133,38 +133,38 @@ def _rows(
     return np.asarray(table, dtype=float), findings
 
 
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return "_" not in cell
-
-
 def _units(
     names: Sequence[str], lines: Sequence[str], sections: Mapping[str, tuple[int, int]]
 ) -> list[str]:
     """Return the unit of each column: of ``[channel units]``, of its line of ``[header]``, or the usual one.
 
-    ``[channel units]`` belongs to all columns, or to the last ones: those that are no usual columns.
+    ``[channel units]`` has a line for each of the last columns, those that are no usual columns. An empty line is an
+    unknown unit; as columns may be usual that jounce does not know, only the right number of lines tells whose it is.
+    A unit that jounce cannot read is unknown, too, rather than the usual one.
     """
 
     def content(section: str) -> list[str]:
-        texts = (line.strip() for line in lines[slice(*sections.get(section, (0, 0)))])
-        return [text for text in texts if text]
+        return [line.strip() for line in lines[slice(*sections.get(section, (0, 0)))]]
 
-    titles, stated = content("header"), content("channel units")
+    titles, stated = [title for title in content("header") if title], content("channel units")
     units = [_USUAL.get(name.lower(), "") for name in names]
     if len(titles) == len(names):
         for i, title in enumerate(titles):
-            last = title.split()[-1]
-            if " " in title and is_unit(last) and names[i].lower() not in _LATITUDE + _LONGITUDE:
-                units[i] = last
-    if 0 < len(stated) <= len(names):
+            *before, last = title.split()
+            if before and last.lower() not in _QUANTITIES:
+                units[i] = _unit(last)
+    if stated and not stated[-1]:
+        stated.pop()  # the end of the section
+    is_special = [name.lower() not in (*_USUAL, *_FIXED) for name in names]
+    if len(stated) <= len(names) and (all(stated) or len(stated) == sum(is_special)):
         for i, unit in enumerate(stated, len(names) - len(stated)):
-            if is_unit(unit) and names[i].lower() not in (*_TIME, *_LATITUDE, *_LONGITUDE):
-                units[i] = unit
+            units[i] = _unit(unit)
     return units
+
+
+def _unit(text: str) -> str:
+    """Return a unit as written or in lower case (``Knots``), or nothing if neither is a unit."""
+    return next((unit for unit in (text, text.lower()) if is_unit(unit)), "")
 
 
 def _column(name: str, unit: str, values: Array, path: Path) -> Column:
@@ -232,7 +232,7 @@ def _laps(
         return {}
     for line in lines[slice(*sections.get("laptiming", (0, 0)))]:
         word, *cells = line.split()[:5] or [""]
-        if word.lower() == "start" and len(cells) == 4 and all(map(_is_number, cells)):
+        if word.lower() == "start" and len(cells) == 4 and all(map(is_number, cells)):
             west, latitude, other_west, other = (float(cell) / _MINUTES for cell in cells)
             at = crossings(
                 time.values, east.values, north.values, ((-west, latitude), (-other_west, other))

@@ -289,6 +289,42 @@ def test_rpc_reader_reads_what_jounce_writes(
             np.testing.assert_allclose(values, run[name], rtol=0.0, atol=1.001 * errors[name])
 
 
+def text_file(written: str, number: str) -> bytes:
+    """An ASCII file with a number replaced."""
+    content = logger_files.rpc_file(CHANNELS, 0.005, form="ASCII", extra={"SAMPLES": 400})
+    assert content.count(written.encode()) == 1
+    return content.replace(written.encode(), number.encode())
+
+
+@pytest.mark.parametrize("number", ["1,5", "1_0", '"5"', "-", "0x1"])
+def test_rpc_text_that_is_no_number_is_refused(tmp_path: Path, number: str) -> None:
+    """A decimal comma must not become two numbers: all later samples would be in the wrong place."""
+    file = tmp_path / "run.rsp"
+    file.write_bytes(text_file(repr(float(FORCE[7])), number))
+    with pytest.raises(RecordingError, match="text in a number column") as caught:
+        read_recording(file)
+    assert f"found {number!r}" in str(caught.value)
+
+
+def test_rpc_samples_are_in_the_last_frame(tmp_path: Path) -> None:
+    file = tmp_path / "run.rsp"
+    content = logger_files.rpc_file(CHANNELS, 0.005, frame=64, group=128, extra={"SAMPLES": 300})
+    file.write_bytes(content)
+    with pytest.raises(RecordingError, match=r"SAMPLES: an impossible count.*allowed: 385 to 448"):
+        read_recording(file)
+
+
+def test_rpc_rest_of_more_than_a_frame_belongs_to_the_record(tmp_path: Path) -> None:
+    file = tmp_path / "run.rsp"
+    rest = [
+        (name, unit, np.where(TIME < 1.0, values, values[200])) for name, unit, values in CHANNELS
+    ]
+    file.write_bytes(logger_files.rpc_file(rest, 0.005, frame=40, group=40))
+    run, findings = read_recording(file)
+    assert "padding" not in codes(findings)
+    assert run.sizes["time"] == 400
+
+
 # --- MoTeC
 
 SLOW = np.arange(40) * 2.0
@@ -446,6 +482,42 @@ def test_vbo_units_of_header_and_channel_units(tmp_path: Path) -> None:
     assert table["long"].values[0] == pytest.approx(-62.635139 / 60.0)  # positive is west
 
 
+@pytest.mark.parametrize(
+    ("title", "stated", "units"),
+    [
+        ("velocity Knots", ["mm", "bar"], ["knots", "mm", "bar"]),
+        ("velocity widgets", ["mm", "bar"], ["", "mm", "bar"]),
+        ("vehicle velocity", ["", "bar"], ["km/h", "", "bar"]),
+        ("velocity", ["mm", ""], ["km/h", "mm", ""]),
+        ("velocity", ["", "", "bar"], ["km/h", "", ""]),  # whose they are cannot be known
+    ],
+)
+def test_vbo_units_that_are_empty_or_unknown_are_not_guessed(
+    tmp_path: Path, title: str, stated: list[str], units: list[str]
+) -> None:
+    rows = [f"004 07214{i:.2f} +3119.408424 +00062.635139 015.13 1{i} 5.5" for i in range(9)]
+    names = "sats time lat long velocity Damper Pressure"
+    titles = ["satellites", "time", "latitude", "longitude", title, "Damper", "Pressure"]
+    text = logger_files.vbo_text(rows, names=names, titles=titles)
+    lines = "".join(f"{unit}\r\n" for unit in stated)
+    file = tmp_path / "drive.vbo"
+    file.write_text(text.replace("[channel units]\r\n", f"[channel units]\r\n{lines}"), newline="")
+    table = read_signals(file, ReaderOptions()).columns
+    assert [table[name].unit for name in ("velocity", "Damper", "Pressure")] == units
+
+
+def test_vbo_row_that_lost_only_digits_is_left_out(tmp_path: Path) -> None:
+    """The last number would be wrong by a factor: -0000.2 is not -0000.20, but -0000 is not either."""
+    file = tmp_path / "drive.vbo"
+    text = logger_files.vbo_text(ROWS)
+    for lost in (3, 4, 5):  # with the end of the line
+        file.write_text(text[:-lost], newline="")
+        run, findings = read_recording(file, columns={"body.speed": "velocity"})
+        assert (codes(findings)[0], run.sizes["time"]) == ("row_cut_off", 19)
+    file.write_text(text[:-2], newline="")
+    assert read_recording(file, columns={"body.speed": "velocity"})[0].sizes["time"] == 20
+
+
 def test_vbo_laps_are_crossings_of_the_start_line(tmp_path: Path) -> None:
     """A circle of one lap in 10 s, started opposite of the line; the line is crossed outward in minutes west."""
     time = np.arange(0.0, 36.0, 0.1)
@@ -542,6 +614,30 @@ def test_aim_table_with_laps(tmp_path: Path) -> None:
         assert "comment" not in run.attrs
 
 
+def test_aim_markers_that_are_no_numbers_are_a_finding(tmp_path: Path) -> None:
+    file = tmp_path / "session.csv"
+    rows = "".join(f'"{0.05 * i:.3f}","{36 + i}"\n' for i in range(20))
+    head = '"Format","AiM CSV File"\n"Beacon Markers",{}\n\n"Time","GPS Speed"\n"sec","km/h"\n\n'
+    columns = {"body.speed": "GPS Speed"}
+    file.write_text(head.format('"0,3","0,8"') + rows)
+    np.testing.assert_allclose(
+        read_recording(file, columns=columns)[0].attrs["beacons"], [0.3, 0.8]
+    )
+    file.write_text(head.format('"0.3","none"') + rows)
+    run, findings = read_recording(file, columns=columns)
+    assert codes(findings)[0] == "no_beacons"
+    assert "beacons" not in run.attrs
+
+
+def test_markers_are_left_out_when_another_sample_time_is_given(tmp_path: Path) -> None:
+    file = tmp_path / "outing.ld"
+    file.write_bytes(logger_files.ld_file(LD))
+    (tmp_path / "outing.ldx").write_text(logger_files.ldx_text([("Lap 1", 0.5)]))
+    run, findings = read_recording(file, columns=MAPPED, sample_time=0.01)
+    assert "beacons_of_other_time" in codes(findings)
+    assert not {"beacons", "beacon_names"} & set(run.attrs)
+
+
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
 def test_race_technology_table(tmp_path: Path, separator: str) -> None:
     file = tmp_path / "run.csv"
@@ -580,6 +676,15 @@ def test_sst_counts_become_strokes_by_sensors(tmp_path: Path) -> None:
         file.write_bytes(bad)
         with pytest.raises(RecordingError, match="not a file of Sufni telemetry of version 3"):
             read_recording(file)
+
+
+def test_sst_lost_samples_are_gaps_and_no_strokes(tmp_path: Path) -> None:
+    file = tmp_path / "00001.sst"
+    fork = np.round(1500.0 + 20.0 * STROKE)
+    file.write_bytes(logger_files.sst_file(np.where(TIME[7] == TIME, 0xFFFF, fork), fork, 200))
+    table = read_signals(file, ReaderOptions()).columns
+    assert np.flatnonzero(np.isnan(table["fork"].values)).tolist() == [7]
+    assert np.isfinite(table["shock"].values).all()
 
 
 # --- damage of any kind
