@@ -97,8 +97,11 @@ BODIES: dict[tuple[str, str], list[dict[str, Any]]] = {
     ],
     ("POST", "/api/campaign/files"): [
         {"campaign": "mine/campaign.toml", "new": {"rig": "kart-quarter-car", "title": "bench", "obstacle": BUMP,
-         "roads": {"A": BUMP}}, "files": [{"use": "spring", "file": "run.csv", "state": "0",
-                                           "fields": {"columns": {"force": "F"}}}]},
+         "roads": {"A": BUMP}, "changes": {"sprung.mass": "17 kg"}},
+         "files": [{"use": "spring", "file": "run.csv", "state": "0", "fields": {"columns": {"force": "F"}}}]},
+    ],
+    ("POST", "/api/campaign/values"): [
+        {"rig": "kart-quarter-car", "changes": {"sprung.mass": "17 kg"}},
     ],
     ("POST", "/api/campaign/trials"): [
         {"campaign": "mine/campaign.toml", "table": "trial\tspeed\n1\t2 m/s", "was": ""},

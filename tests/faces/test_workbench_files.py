@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import jounce as jn
-from jounce.core.errors import OutputError
+from jounce.core.errors import JounceError, OutputError
 
 pytest.importorskip("fastapi")
 TOKEN = "a-token-of-files"
@@ -56,12 +56,14 @@ def laboratory(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[str, str]
     return files
 
 
-def entered(folder: Path, path: str, *files: dict[str, Any], new: bool = True) -> dict[str, Any]:
+def entered(
+    folder: Path, path: str, *files: dict[str, Any], new: bool = True, **more: Any
+) -> dict[str, Any]:
     from jounce.web.campaigns import FileEntry, NewCampaign, enter_files
     from jounce.web.project import Project
 
     entries = [FileEntry.model_validate(file) for file in files]
-    start = NewCampaign.model_validate(NEW) if new else None
+    start = NewCampaign.model_validate(NEW | more) if new else None
     return enter_files(Project(folder), path, entries, start)
 
 
@@ -103,6 +105,34 @@ def test_a_new_campaign_replaces_nothing_and_needs_a_trial(tmp_path: Path) -> No
     answer = entered(tmp_path, "campaign.toml", trial("2.csv", 2), spring("s.csv"), new=False)
     assert answer["refused"] == []
     assert before.splitlines()[0] in answer["text"]
+
+
+def test_a_new_campaign_takes_the_values_of_its_laboratory(tmp_path: Path) -> None:
+    changes = {"sprung.mass": "17.5 kg", "strut.angle": "20 deg"}
+    answer = entered(tmp_path, "a/campaign.toml", trial("1.csv", 1), changes=changes)
+    assert answer["entered"] == ["1.csv"]
+    rig: Any = jn.load(tmp_path / "a" / "rig.toml")
+    assert (rig.sprung.mass, rig.unsprung.mass) == (17.5, jn.load(NEW["rig"]).unsprung.mass)
+    assert jn.campaign.load_campaign(tmp_path / "a" / "campaign.toml")[0].rig == "rig.toml"
+    (tmp_path / "b").mkdir()
+    (tmp_path / "b" / "rig.toml").write_text("# another rig\n")
+    with pytest.raises(OutputError, match="Choose another folder"):
+        entered(tmp_path, "b/campaign.toml", trial("1.csv", 1), changes=changes)
+    for wrong in ({"sprung.mass": "-3 kg"}, {"sprung.mass": "3 mm"}, {"no.mass": "3 kg"}):
+        with pytest.raises(JounceError):
+            entered(tmp_path, "c/campaign.toml", trial("1.csv", 1), changes=wrong)
+    assert not (tmp_path / "c").exists()
+
+
+def test_values_of_a_laboratory_are_shown_before_they_are_written(tmp_path: Path) -> None:
+    from jounce.web.campaigns import OwnRig, own_values
+    from jounce.web.project import Project
+
+    asked = OwnRig(rig=NEW["rig"], changes={"sprung.mass": "17.5 kg"})
+    assert own_values(Project(tmp_path), asked) == [
+        {"path": "sprung.mass", "before": "16 kg", "after": "17.5 kg"}
+    ]
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_file_that_changed_since_it_was_shown_is_refused(tmp_path: Path) -> None:
@@ -204,9 +234,17 @@ def test_taken_names_missing_units_and_several_rows_at_once(
     chosen_in = "label.field:has(> span:text-is('{}'))"
     page.locator(chosen_in.format("Kampagne")).locator("select").select_option("+")
     page.locator(chosen_in.format("Ordner")).locator("input").fill("zweite")
+    mass = page.get_by_label("sprung.mass", exact=True)
+    mass.fill("17,5")
+    mass.press("Tab")
+    assert mass.input_value() == "17,5 kg"
+    page.get_by_role("cell", name="17,5 kg").wait_for()
+    page.get_by_text("mit diesen Werten als zweite/rig.toml gespeichert").wait_for()
     page.get_by_role("button", name="Kampagne mit 4 Dateien anlegen").click()
     page.wait_for_selector("html[data-ready=campaign]")
     campaign, _ = jn.campaign.load_campaign(folder / "zweite" / "campaign.toml")
+    rig: Any = jn.load(folder / "zweite" / campaign.rig)
+    assert rig.sprung.mass == 17.5
     assert campaign.bench.spring is not None
     assert campaign.bench.spring.columns["displacement"] == "displacement [cm]"
     assert [entry.speed for entry in campaign.trial] == [3.0, 3.0]

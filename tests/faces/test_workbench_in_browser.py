@@ -151,7 +151,7 @@ def test_the_keyboard_goes_everywhere_and_is_seen(workbench, browser):
     page.wait_for_selector("html[data-ready=record]")
     until(page, "document.activeElement.id === 'main'")  # the link is gone: on to what it led to
     page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.title") == "Save this page"
+    assert page.evaluate("document.activeElement.title") == "Export this page"
     page.keyboard.press("Tab")
     assert (
         page.evaluate("document.activeElement.textContent")

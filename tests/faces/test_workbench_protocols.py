@@ -14,7 +14,7 @@ TOKEN = "a-token-of-protocols"
 def saved(page: Any) -> bytes:
     """Save the last protocol of the page as PDF."""
     with page.expect_download() as download:
-        page.get_by_role("button", name="Save as PDF").last.click()
+        page.get_by_role("button", name="Export as PDF").last.click()
     return Path(download.value.path()).read_bytes()
 
 

@@ -142,7 +142,7 @@ def test_the_result_of_a_ride_has_curves_that_are_saved(page: Any) -> None:
     page.get_by_label("Duration").press("Tab")
     assert page.get_by_label("Duration").input_value() == "4 s"
     page.get_by_role("button", name="Drive", exact=True).click()
-    page.get_by_title("Save these curves").click()
+    page.get_by_title("Export these curves").click()
     with page.expect_download() as download:
         page.get_by_role("button", name="SVG").click()
     picture = Path(download.value.path()).read_text()

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import tomlkit
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, Field
 
 from jounce.core.errors import DescriptionError, JounceError, OutputError
 from jounce.core.files import only_below
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from jounce.campaign.laboratory import TrialRow
 
 _READ = ("columns", "variable", "sample_time", "stroke_positive", "force_positive")
+_OWN_RIG = "rig.toml"  # beside a new campaign
 _MOST_FILES = 500  # of one bench table; also those of a request to enter files
 """Keys that define how all files of a table are read."""
 Use = Literal["spring", "tyre", "decay", "trial"]
@@ -66,11 +67,20 @@ def title_of(project: Project, path: str) -> str:
     return title if isinstance(title, str) and title else path
 
 
-class NewCampaign(BaseModel):
-    """A campaign to be written: its rig, its obstacle, and the trains of that obstacle by name."""
+class OwnRig(BaseModel):
+    """A rig with the laboratory's own values, with units, by path."""
 
     model_config = ConfigDict(extra="forbid")
     rig: str
+    changes: dict[str, str] = Field(default_factory=dict, max_length=200)
+
+
+class NewCampaign(OwnRig):
+    """A campaign to be written: its rig, its obstacle, and the trains of that obstacle by name.
+
+    With ``changes``, the rig is written beside the campaign with these values.
+    """
+
     title: str = "Bench campaign"
     obstacle: dict[str, str]
     roads: dict[str, dict[str, Any]] = {}
@@ -108,6 +118,7 @@ def enter_files(
     if new and project.inside(path).exists():
         raise OutputError("the file already exists", where=path, hint="Choose another name.")
     text, entered, refused = was.text, list[str](), list[dict[str, Any]]()
+    own = _own_text(project, path, new) if new and new.changes else None
     ordered = sorted(entries, key=lambda entry: entry.use != "trial")  # a campaign needs one
     at_once = _all_checked(project, path, text, ordered)
     for entry in ordered:
@@ -122,6 +133,8 @@ def enter_files(
     if not entered:
         return {"path": path, "entered": [], "refused": refused}
     text = _with_fitted(text if at_once is None else at_once)
+    if own is not None:
+        project.write(own.path, own.text, own.digest)
     return _written(project, path, text, was) | {"entered": entered, "refused": refused}
 
 
@@ -247,15 +260,61 @@ def _checked(project: Project, path: str, text: str, *entries: FileEntry) -> str
     return text
 
 
+def own_values(project: Project, asked: OwnRig) -> list[dict[str, Any]]:
+    """Return the values of a rig before and after its changes: number with its unit, by path; nothing is written."""
+    rig, own = _rig_with(project, asked)
+    before, after = rig.parameters(), own.parameters()
+    return [
+        {
+            "path": name,
+            "before": _written_value(rig, name, before[name]),
+            "after": _written_value(own, name, after[name]),
+        }
+        for name in asked.changes
+    ]
+
+
+def _written_value(rig: Any, name: str, value: float) -> str:
+    from jounce.core.display import display_unit
+    from jounce.parts.rig import unit_of
+
+    unit = display_unit(unit_of(rig, name), abs(value))
+    return f"{value * unit.factor:.6g} {unit.name}".strip()
+
+
+def _rig_with(project: Project, asked: OwnRig) -> tuple[Any, Any]:
+    """Return a rig, and the same with its changes."""
+    from jounce.web.answers import rig_of
+
+    rig: Any = rig_of(project, asked.rig)
+    return rig, rig.with_changes(dict(asked.changes))
+
+
+def _own_text(project: Project, path: str, new: NewCampaign) -> Text:
+    """Return the rig of a new campaign as it will be written beside it; an equal file may be there already."""
+    from jounce.parts.files import rig_text
+
+    own = (Path(path).parent / _OWN_RIG).as_posix()
+    said = ", ".join(f"{name} = {value}" for name, value in new.changes.items())
+    text = rig_text(
+        _rig_with(project, new)[1], [f"{new.rig} with values of the laboratory: {said}"]
+    )
+    if not project.inside(own).exists():
+        return Text(own, text, "")
+    present = project.read(own)
+    if present.text != text:
+        raise OutputError("the file already exists", where=own, hint="Choose another folder.")
+    return present
+
+
 def _filled(project: Project, path: str, new: NewCampaign) -> str:
     """Return the text of a new campaign without files."""
     from jounce.campaign.start import campaign_to_fill
-    from jounce.web.answers import rig_of
 
-    rig: Any = rig_of(project, new.rig)
+    _, rig = _rig_with(project, new)
     file = project.inside(path)
-    name = new.rig
-    if name.endswith(".toml"):
+    name = _OWN_RIG if new.changes else new.rig
+    if name.endswith(".toml") and not new.changes:
         name = Path(os.path.relpath(project.inside(name), file.parent)).as_posix()
     return campaign_to_fill(rig, name, new.obstacle, new.roads, new.title)
 

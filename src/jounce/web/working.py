@@ -23,10 +23,12 @@ from jounce.web.bodies import Route
 from jounce.web.campaigns import (
     FileEntry,
     NewCampaign,
+    OwnRig,
     Use,
     enter_file,
     enter_files,
     overview,
+    own_values,
     pasted_trials,
 )
 from jounce.web.jobs import Jobs
@@ -246,6 +248,11 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
     def enter_all(asked: EnteredFiles) -> dict[str, Any]:
         """Add measured files to a campaign or a new one; return the files that were refused, with the reason."""
         return enter_files(project, asked.campaign, asked.files, asked.new)
+
+    @router.post("/api/campaign/values")
+    def values(asked: OwnRig) -> list[dict[str, Any]]:
+        """Return the values of a rig that a new campaign would replace, before and after."""
+        return own_values(project, asked)
 
     @router.post("/api/campaign/trials")
     def paste_trials(asked: PastedTrials) -> dict[str, Any]:

@@ -27,6 +27,8 @@ export interface List {
   columns: Record<string, Record<string, string>>;
   table: string;
   target: Record<string, string>;
+  /** Values of the laboratory for the rig of a new campaign, by path. */
+  values: Record<string, string>;
 }
 
 const KEY = "jounce-files";
@@ -88,6 +90,7 @@ const empty = (): List => ({
   columns: {},
   table: "",
   target: {},
+  values: {},
 });
 
 function stored(): List {

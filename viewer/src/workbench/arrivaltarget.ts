@@ -4,6 +4,7 @@ import { make } from "../page";
 import { tr } from "../words";
 import * as api from "./api";
 import { type Arrivals, countedFiles, NEW } from "./arrivals";
+import { OwnValues } from "./ownvalues";
 import { field, once, select, textBox } from "./parts";
 import { Refused } from "./refusals";
 
@@ -18,6 +19,7 @@ export class Target {
   readonly button = make("button", { type: "button", class: "main" });
   /** Obstacles of trains among the trials, by name. */
   readonly trains: Record<string, object> = {};
+  private readonly own: OwnValues;
 
   constructor(
     private readonly arrivals: Arrivals,
@@ -26,6 +28,7 @@ export class Target {
     wanted: string,
     private readonly changed: () => void,
   ) {
+    this.own = new OwnValues(arrivals, () => this.folder);
     const { target } = arrivals.list;
     if (wanted && this.campaigns.includes(wanted)) target.campaign = wanted;
     if (!this.campaigns.includes(target.campaign ?? ""))
@@ -78,11 +81,15 @@ export class Target {
         .map((entry) => entry.path),
       rigs = [...own, ...this.library.map(({ name }) => name)],
       usual = own[0] ?? (rigs.includes("kart-quarter-car") ? "kart-quarter-car" : rigs[0]);
+    const rig = control("rig", select(rigs, usual)),
+      folder = control("folder", textBox("campaign"));
+    rig.addEventListener("change", () => void this.own.offer(rig.value));
+    folder.addEventListener("change", () => void this.own.show());
     const parts = make(
       "span",
       { class: "sizes", hidden: !this.arrivals.isNew },
-      field("Folder", control("folder", textBox("campaign"))),
-      field("Rig", control("rig", select(rigs, usual))),
+      field("Folder", folder),
+      field("Rig", rig),
       field(
         "Obstacle",
         control(
@@ -98,7 +105,15 @@ export class Target {
       this.arrivals.keep();
       this.changed();
     });
-    return make("div", { class: "form" }, field("Campaign", choice), parts, this.button);
+    if (this.arrivals.isNew) void this.own.offer(rig.value);
+    else this.own.element.replaceChildren();
+    return make(
+      "div",
+      {},
+      make("div", { class: "form" }, field("Campaign", choice), parts),
+      this.own.element,
+      make("p", { class: "bar" }, this.button),
+    );
   }
 
   /** Enters the ticked files; returns the path of the campaign and the files that are in it now. */
@@ -107,12 +122,13 @@ export class Target {
       to = arrivals.list.target,
       isNew = arrivals.isNew;
     const path = isNew ? `${this.folder}/campaign.toml` : to.campaign!;
+    const changes = isNew ? await this.own.entered() : {};
     const obstacle = { kind: to.obstacle, height: to.height, length: to.length };
     const answer = await once(
       this.button,
       api.asked("POST", "/api/campaign/files", {
         campaign: path,
-        ...(isNew ? { new: { rig: to.rig, obstacle, roads: this.trains } } : {}),
+        ...(isNew ? { new: { rig: to.rig, changes, obstacle, roads: this.trains } } : {}),
         files: arrivals.chosen.map((preview) => arrivals.entry(preview)),
       }),
     );

@@ -1,4 +1,4 @@
-/** Menus that save what a page shows: figures, tables and the whole page, or copy it. */
+/** Menus that export or copy what a page shows: figures, tables and the whole page. Nothing is written into the project. */
 
 import { make } from "../page";
 import { chartOf, drawingsOf, type ShownChart, type ShownDrawing } from "../shown";
@@ -74,7 +74,7 @@ function menu(label: string, entries: [string, () => Promise<unknown>][]): HTMLE
   const whole = make(
     "details",
     { class: "save" },
-    make("summary", { title: label, "aria-label": label }, tr("Save")),
+    make("summary", { title: label, "aria-label": label }, tr("Export")),
     list,
   );
   for (const [words, work] of entries)
@@ -85,7 +85,7 @@ function menu(label: string, entries: [string, () => Promise<unknown>][]): HTMLE
           type: "button",
           click: () => {
             whole.open = false;
-            said.textContent = tr("saving …");
+            said.textContent = tr("exporting …");
             work().then(
               () => {
                 said.textContent = "";
@@ -112,9 +112,9 @@ function menu(label: string, entries: [string, () => Promise<unknown>][]): HTMLE
 /** A button that saves one document, which the server makes when it is asked for. */
 export function saveDocument(name: string, content: () => Promise<Blob>): HTMLElement {
   const said = make("span", { "aria-live": "polite", class: "said" }),
-    button = make("button", { type: "button" }, "Save as PDF");
+    button = make("button", { type: "button" }, "Export as PDF");
   button.addEventListener("click", () => {
-    said.textContent = tr("saving …");
+    said.textContent = tr("exporting …");
     once(button, content()).then(
       (document) => {
         said.textContent = "";
@@ -135,7 +135,7 @@ export function saveChart(element: Element, caption: () => string): HTMLElement 
   };
   const save = (form: Form, scale?: number) => async () =>
     download(await file(form, caption(), blocks(), scale), named(caption(), form));
-  return menu(tr("Save these curves"), [
+  return menu(tr("Export these curves"), [
     ...SCALES.map((scale): [string, () => Promise<unknown>] => [
       `PNG × ${scale}`,
       save("png", scale),
@@ -178,7 +178,7 @@ export function saveDrawing(mechanism: HTMLElement): void {
   mechanism
     .querySelector(".bar")!
     .append(
-      menu(tr("Save this drawing"), [
+      menu(tr("Export this drawing"), [
         ...SCALES.map((scale): [string, () => Promise<unknown>] => [
           `PNG × ${scale}`,
           save("png", scale),
@@ -194,7 +194,7 @@ export function saveDrawing(mechanism: HTMLElement): void {
 function clipboard(): Clipboard {
   if (!navigator.clipboard || !("ClipboardItem" in globalThis))
     throw new Error(
-      tr("This browser does not let this page use the clipboard: save a file instead."),
+      tr("This browser does not let this page use the clipboard: export a file instead."),
     );
   return navigator.clipboard;
 }
@@ -216,7 +216,7 @@ export function saveTable(element: HTMLTableElement, label: string): HTMLElement
   const caption = () => textOf(element.caption) || tr(label);
   const save = (form: Form) => async () =>
     download(await file(form, caption(), [tableOf(element, label)]), named(caption(), form));
-  return menu(tr("Save this table"), [
+  return menu(tr("Export this table"), [
     ["CSV", save("csv")],
     ["XLSX", save("xlsx")],
     ["PDF", save("pdf")],
@@ -296,10 +296,10 @@ export function savePage(): HTMLElement {
   const save = (form: Form) => async () => {
     const blocks = pageBlocks();
     if (!blocks.some((block) => block.kind !== "heading"))
-      throw new Error(tr("There is nothing on this page to save yet."));
+      throw new Error(tr("There is nothing on this page to export yet."));
     download(await file(form, title(), blocks), named(title(), form));
   };
-  return menu(tr("Save this page"), [
+  return menu(tr("Export this page"), [
     [tr("PDF document"), save("pdf")],
     [tr("HTML report"), save("html")],
     [tr("XLSX workbook: curves and tables"), save("xlsx")],
