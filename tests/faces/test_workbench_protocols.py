@@ -22,11 +22,16 @@ def test_a_protocol_is_saved_stored_and_opened_again(
     browser: Any, workbench: tuple[Path, int]
 ) -> None:
     pytest.importorskip("typst")
-    _, port = workbench
+    folder, port = workbench
+    (folder / "spring.csv").write_text("displacement [mm],force [N]\n1,2\n")
     context = browser.new_context(viewport={"width": 1280, "height": 800})
     context.set_default_timeout(120_000)
     page = context.new_page()
     page.goto(f"http://127.0.0.1:{port}/?token={TOKEN}#/inspection")
+    page.get_by_text("Records that are not of a tester (").click()
+    page.get_by_text("no plate force in its first line: displacement [mm],force [N]").wait_for()
+    page.get_by_role("button", name="offer: spring.csv").click()
+    assert page.get_by_label("Record of one axle").input_value() == "spring.csv"
     page.get_by_text("No record available? Simulate a test").click()
     page.get_by_role("button", name="Simulate the test").click()
     page.get_by_role("link", name="Evaluate").click()

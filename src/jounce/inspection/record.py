@@ -106,6 +106,30 @@ def read_record(path: Path | str, tester: Tester | None = None) -> tuple[xr.Data
     return dataset, [*findings, *reader_findings, *header_findings]
 
 
+def missing_plates(path: Path | str) -> Phrase | None:
+    """Return why a file can be no tester record, from its head alone; None if it may be one.
+
+    Texts and files with plain names are judged; what hides its names, such as a compressed file, may be one.
+    """
+    file = Path(path)
+    with file.open("rb") as stream:
+        head = stream.read(_HEAD)
+    if FORCE.encode() in head:
+        return None
+    if file.suffix.lower() not in _TABLES:
+        is_whole = len(head) < _HEAD
+        return _NO_PLATES if is_whole and file.suffix.lower() in _PLAIN else None
+    lines = (line.strip() for line in head.decode("utf-8", "replace").splitlines())
+    first = next((line for line in lines if line and not line.startswith("#")), "")
+    shown = first if len(first) <= _SHOWN else f"{first[:_SHOWN]}…"
+    return Phrase("no plate force in its first line: {first}", first=shown) if first else _NO_PLATES
+
+
+_HEAD, _SHOWN = 1 << 16, 60  # bytes that are looked at; characters of a first line that are shown
+_TABLES, _PLAIN = (".csv", ".tsv", ".txt", ".dat"), (".nc", ".nc4", ".ld", ".vbo", ".rsp", ".sst")
+_NO_PLATES = Phrase("it names no plate force")
+
+
 def _check_units(findings: Iterable[Finding], file: Path) -> None:
     """Raise an error for plate heights and forces that the reader omitted because they have no unit."""
     said = [

@@ -274,6 +274,20 @@ def routes(project: Project, jobs: Jobs, seal: Callable[[str], str]) -> APIRoute
             "roads": list(road_library()),
         }
 
+    @router.get("/api/tested")
+    def tested() -> list[dict[str, str | None]]:
+        """List the records of the project, each with the reason why it cannot be inspected, if there is one."""
+        from jounce.inspection.record import missing_plates
+
+        reasons: list[dict[str, str | None]] = []
+        for path in (entry.path for entry in project.entries() if entry.kind == "record"):
+            try:
+                why = missing_plates(project.inside(path))
+            except OSError as error:
+                why = unusable(error, "").message()
+            reasons.append({"path": path, "why": why, "german": why and why.german()})
+        return reasons
+
     @router.put("/api/upload")
     async def upload(request: Request, path: str) -> dict[str, Any]:
         """Store an uploaded file unchanged; an existing file is never replaced, but an identical upload is accepted."""

@@ -7,7 +7,7 @@ import pytest
 
 from jounce.core.errors import DescriptionError, RecordingError
 from jounce.inspection import calibrate_plate, evaluate, read_record
-from jounce.inspection.record import is_simulated, read_facts, wheels_of, with_facts
+from jounce.inspection.record import is_simulated, missing_plates, read_facts, wheels_of, with_facts
 from jounce.inspection.signals import plate_acceleration, plate_mass_of
 from jounce.parts.testers import load_tester
 
@@ -19,6 +19,21 @@ def write(folder, text, *, name="lane.csv", columns=COLUMNS, rows=None):
     file = folder / name
     file.write_text("\n".join([*text, columns, *rows]) + "\n", encoding="utf-8")
     return file
+
+
+def test_files_that_name_no_plate_are_no_tester_records(tmp_path):
+    facts = '# left.static_load = "4316 N"'
+    assert missing_plates(write(tmp_path, [facts, ""])) is None
+    spring = tmp_path / "spring.csv"
+    spring.write_text("# made by us\ndisplacement [mm],force [N]\n1,2\n")
+    why = missing_plates(spring)
+    assert why == "no plate force in its first line: displacement [mm],force [N]"
+    assert "Plattenkraft" in why.german()
+    for name, content in (("empty.csv", ""), ("run.vbo", "[header]\ntime\n")):
+        (tmp_path / name).write_text(content)
+        assert missing_plates(tmp_path / name) == "it names no plate force"
+    (tmp_path / "hidden.mat").write_bytes(b"MATLAB 5.0 MAT-file")  # compressed names are not read
+    assert missing_plates(tmp_path / "hidden.mat") is None
 
 
 def test_header_lines(tmp_path):

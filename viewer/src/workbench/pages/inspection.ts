@@ -9,7 +9,7 @@ import { dropZone, Question, type Reply, report } from "../jobs";
 import { field, optional, select, snippets, textBox } from "../parts";
 import { WHEEL_QUANTITIES } from "../quantities";
 import { Reading } from "../reading";
-import { advised, asSaid } from "../refusals";
+import { advised, asSaid, inLanguage } from "../refusals";
 import { saveDocument } from "../saving";
 import { address, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
@@ -21,6 +21,12 @@ export interface Choices {
   methods: string[];
   controls: string[];
   roads: string[];
+}
+/** A record of the project, and why it cannot be inspected. */
+interface Tested {
+  path: string;
+  why: string | null;
+  german: string | null;
 }
 interface Reasoned {
   reasons: string[];
@@ -61,12 +67,15 @@ const mark = (verdict: string) =>
   make("span", { class: `mark ${TONES[verdict] ?? "plain"}` }, verdict);
 
 export async function show(place: HTMLElement, values: Values): Promise<void> {
-  const [{ entries }, choices, library] = await Promise.all([
+  const [{ entries }, choices, library, tested] = await Promise.all([
     api.project(),
     api.get<Choices>("/api/choices"),
     api.library(),
+    api.get<Tested[]>("/api/tested"),
   ]);
-  const records = entries.filter((entry) => entry.kind === "record").map((entry) => entry.path),
+  const wanted = values.get("record") ?? "",
+    records = tested.filter(({ path, why }) => !why || path === wanted).map(({ path }) => path),
+    others = tested.filter(({ path }) => !records.includes(path)),
     stores = entries.filter((entry) => entry.kind === "store").map((entry) => entry.path);
   const rigs = [
     ...entries.filter((entry) => VEHICLES.includes(entry.kind)).map((entry) => entry.path),
@@ -92,7 +101,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     rigs,
     choices,
     stores,
-    values.get("record") ?? "",
+    wanted,
     stored,
     (was) => drafts.done({ evaluate: was }),
   );
@@ -114,6 +123,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     drafts.element,
     make("h2", {}, "Evaluate a record"),
     element,
+    ...(others.length ? [left(others, here)] : []),
     make("h2", {}, "New records"),
     dropZone(
       () => "records",
@@ -124,6 +134,34 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     make("h2", {}, "Store"),
     noStore,
     search_,
+  );
+}
+
+/** Records that are not offered, with the reason; a tester whose file names its columns may still read them. */
+function left(others: Tested[], here: () => (paths: string[]) => void): HTMLElement {
+  const rows = others.map(({ path, why, german }) => {
+    const button = make(
+      "button",
+      { type: "button", "aria-label": `${tr("offer")}: ${path}` },
+      tr("offer"),
+    );
+    button.addEventListener("click", () => {
+      here()([path]);
+      button.disabled = true;
+    });
+    return [path, inLanguage(why ?? "", german), button];
+  });
+  return make(
+    "details",
+    {},
+    make("summary", {}, tr("Records that are not of a tester (#)", String(others.length))),
+    table(
+      tr("Records that are not of a tester"),
+      ["record", "reason", ""],
+      rows,
+      [],
+      tr("A tester whose file names other columns may read them: offer them then."),
+    ),
   );
 }
 
@@ -197,7 +235,7 @@ function evaluation(
   const none = make(
     "p",
     { class: "empty", hidden: !!records.length },
-    "No record in this project yet: drop one below, or simulate a test.",
+    "No record of a tester in this project yet: drop one below, or simulate a test.",
   );
   const whole = make(
     "section",
