@@ -164,6 +164,25 @@ def _table(answered: Answered, file: Path, force: bool) -> Missing:
     return ()
 
 
+def _check_tables(file: Path, force: bool) -> None:
+    from jounce.core.optional import require
+    from jounce.core.writing import check_writable
+
+    check_writable(file, what="tables", suffixes=(".csv", ".xlsx"), force=force)
+    if file.suffix.lower() == ".xlsx":
+        require("openpyxl", "io")
+
+
+def _tables(answered: Answered, file: Path, force: bool) -> Missing:
+    if file.suffix.lower() == ".csv":
+        return _table(answered, file, force)
+    from jounce.core.workbooks import workbook_of
+    from jounce.core.writing import write_atomically
+
+    write_atomically(file, workbook_of(answered.result.sheets()), force=force)
+    return ()
+
+
 def _figure(answered: Answered, file: Path, force: bool) -> Missing:
     return write_picture(answered.figure, file, answered.title, force=force)[1]
 
@@ -242,6 +261,9 @@ OUTPUTS: Mapping[str, OutputKind] = {
         "out", _out("Write every quantity: .nc or .csv (SI)."), _check_sweep, _sweep
     ),
     "table": OutputKind("out", _out("Write every number: .csv (SI)."), _check_table, _table),
+    "tables": OutputKind(
+        "out", _out("Write every number: .csv or .xlsx (SI)."), _check_tables, _tables
+    ),
     "figure": OutputKind(
         "figure", FigureFile, lambda file, force: check_outputs(figure=file, force=force), _figure
     ),

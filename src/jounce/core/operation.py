@@ -26,6 +26,7 @@ Offer = Literal[
     "numbers",
     "sweep",
     "table",
+    "tables",
     "figure",
     "figures",
     "folder",
@@ -350,7 +351,7 @@ def operation(command: str, **more: Any) -> Callable[[_F], _F]:
     not reached, ``is_met`` is false (exit code 1). ``missing`` has findings about figures that could not be drawn.
     ``when_interrupted`` is the message if writing is interrupted. ``printed`` is text for the terminal instead of the
     page if no file is written; warnings among the findings go to stderr. Some outputs need further attributes:
-    ``rig``, ``rig_text``, ``recording()``, ``rows()``, ``data``, ``table()``.
+    ``rig``, ``rig_text``, ``recording()``, ``rows()``, ``data``, ``table()``, ``sheets()``.
     """
 
     def register(function: _F) -> _F:

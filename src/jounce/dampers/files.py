@@ -16,6 +16,7 @@ from jounce.core.operation import MadeBy, Texts
 from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.units import to_si
+from jounce.dampers.adjusters import is_clicks
 from jounce.recordings.cells import cells_of_file
 from jounce.recordings.options import (
     COLUMNS,
@@ -40,6 +41,12 @@ _IN_NAMES = {
                     re.compile(r"(?<![a-z])t[ _-]?(-?\d+(?:\.\d+)?)(?:[ _-]?(?:deg[ _-]?c|°c|c))?(?![\d.a-z])")),
     "gas_pressure": (re.compile(r"(?<![a-z0-9.])(\d+(?:\.\d+)?)[ _-]?(bar|psi)(?![a-z])"),),
 }  # fmt: skip
+_ADJUSTERS = re.compile(
+    r"(?<![a-z])(ls|hs|)((?<=s)[bcr]|bump|comp(?:ression)?|reb(?:ound)?)[ _-]?(\d+)(?![\d.a-z]|[ _-](?:mm|hz))"
+)
+_SPEEDS = {"ls": ("low", "speed"), "hs": ("high", "speed")}
+_SIDES = {"b": "bump", "c": "bump", "r": "rebound", "bump": "bump", "comp": "bump",
+          "compression": "bump", "reb": "rebound", "rebound": "rebound"}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -151,6 +158,8 @@ def settings_in_name(name: str) -> dict[str, float]:
     {'clicks': 8.0, 'temperature': 313.15, 'gas_pressure': 1000000.0}
     >>> settings_in_name("FSAE_C12_run3.csv"), settings_in_name("sine_100mms.csv")
     ({'clicks': 12.0}, {})
+    >>> settings_in_name("lsb8_lsr12.csv")
+    {'low_speed_bump_clicks': 8.0, 'low_speed_rebound_clicks': 12.0}
     """
     text = Path(name).stem.lower()
     values: dict[str, float] = {}
@@ -160,9 +169,13 @@ def settings_in_name(name: str) -> dict[str, float]:
                 unit = {"clicks": "", "temperature": "degC"}.get(
                     setting, match[match.lastindex or 0]
                 )
-                values[setting] = _si_of(setting, f"{match[1]} {unit}".strip(), name)
+                values[setting] = si_of_setting(setting, f"{match[1]} {unit}".strip(), name)
                 break
-    return values
+    of_sides = {
+        "_".join([*_SPEEDS.get(speed, ()), _SIDES[side], "clicks"]): float(clicks)
+        for speed, side, clicks in _ADJUSTERS.findall(text)
+    }
+    return values if "clicks" in values else {**of_sides, **values}
 
 
 def settings_of(
@@ -174,7 +187,8 @@ def settings_of(
     if stated is not None:
         return dict(stated), []
     values = settings_in_name(name)
-    for setting, unit in SETTINGS.items():
+    adjusters = {str(name): "1" for name in file.data.data_vars if is_clicks(str(name))}
+    for setting, unit in {**SETTINGS, **adjusters}.items():
         if setting in file.data and str(file.data[setting].attrs.get("units", "")) == unit:
             samples: Array = file.data[setting].to_numpy()
             values[setting] = float(samples.mean())
@@ -197,7 +211,7 @@ def read_settings(
     if isinstance(source, Mapping):
         return {
             str(name): {
-                key: _si_of(key, value, f"settings of {name}, {key}")
+                key: si_of_setting(key, value, f"settings of {name}, {key}")
                 for key, value in values.items()
             }
             for name, values in source.items()
@@ -208,7 +222,7 @@ def read_settings(
 def _settings_of_file(file: Path) -> dict[str, dict[str, float]]:
     header, *rows = cells_of_file(existing_file(file, RecordingError)) or [[]]
     headings = [name_and_unit(cell) for cell in header]
-    names = [name.strip().lower().replace(" ", "_") for name, _ in headings]
+    names = [name.strip().lower().replace(" ", "_").replace("-", "_") for name, _ in headings]
     units = [unit for _, unit in headings]
     if "file" not in names:
         raise RecordingError(
@@ -228,21 +242,21 @@ def _settings_of_file(file: Path) -> dict[str, dict[str, float]]:
             if name == "file" or not text:
                 continue
             where = f"{file}, row {number}, {name}"
-            values[name] = _si_of(name, f"{text} {unit}".strip(), where)
+            values[name] = si_of_setting(name, f"{text} {unit}".strip(), where)
         table[cells["file"].strip()] = values
     return table
 
 
-def _si_of(setting: str, value: float | str, where: str) -> float:
+def si_of_setting(setting: str, value: float | str, where: str) -> float:
     """Convert a setting to SI; degrees Celsius have their zero elsewhere."""
-    if setting not in SETTINGS:
+    if setting not in SETTINGS and not is_clicks(setting):
         raise RecordingError(
             Phrase("unknown setting {name!r}", name=setting),
             where=where,
-            allowed=", ".join(SETTINGS),
+            allowed=", ".join([*SETTINGS, "bump_clicks", "low_speed_rebound_clicks"]),
         )
     if setting != "temperature":
-        return to_si(value, SETTINGS[setting], where=where)
+        return to_si(value, SETTINGS.get(setting, "1"), where=where)
     if match := re.fullmatch(r"\s*([-+]?[\d.]+)\s*(?:deg ?C|°C|C)\s*", str(value)):
         return float(match[1]) + _ZERO_CELSIUS
     kelvin = to_si(value, "K", where=where)

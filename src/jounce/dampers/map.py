@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, get_args
 
 import numpy as np
 
-from jounce.core.errors import DescriptionError, FitError, JounceError, unknown
+from jounce.core.errors import FitError, JounceError, unknown
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Mark, operation
-from jounce.core.phrases import Phrase
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
+from jounce.dampers.adjusters import LEVEL, adjusters_of, adjusters_over, is_clicks, place_of
 from jounce.dampers.curves import DamperSetting, Reading, curve_of, usual_reading, with_rest
 from jounce.dampers.files import (
     AnyDynoFiles,
@@ -26,7 +26,7 @@ from jounce.dampers.files import (
 )
 from jounce.dampers.loops import mean_of
 from jounce.dampers.runs import DynoRun, ReadRun, left_out, read_run, summary_of, turned_by_gas
-from jounce.identify.estimate import student_factor
+from jounce.dampers.tables import map_table
 from jounce.identify.signs import ForcePositive, StrokePositive
 
 _UNLIKE = 3.0  # factor between a force and that of other records of its setting: a wrong unit, or another damper
@@ -37,7 +37,6 @@ _SWAPPED = (
 _ALIKE, _CLEARER = 0.15, 0.4
 """Largest difference of such a record when it is turned, as a share of the force and of its difference as it is."""
 _SMOOTH = 1e-3  # m/s: a hundredth of slow body motion; seals stick below
-_LEVEL = student_factor(math.inf)
 
 
 @dataclass(frozen=True)
@@ -47,7 +46,7 @@ class CurveAt(Plain):
     Attributes
     ----------
     clicks : float
-        Clicks [1].
+        Clicks [1]; NaN for those of several adjusters.
     velocity, force, low, high : array (n,)
         Velocity (m/s), force without gas (N) and its 95 % interval (N); NaN where it is unknown.
     """
@@ -81,25 +80,22 @@ class DamperMap(Plain):
     findings: tuple[Finding, ...]
 
     @property
+    def adjusters(self) -> tuple[str, ...]:
+        """Adjusters that were moved; empty if settings do not state their clicks, or several state the same."""
+        return adjusters_of(self.settings)
+
+    @property
     def clicks(self) -> tuple[float, ...]:
-        """Measured clicks, ascending; empty if none are stated, or a setting has more than its clicks."""
-        values = [item.settings.get("clicks", math.nan) for item in self.settings]
-        distinct = len(set(values)) == len(values) and not any(map(math.isnan, values))
-        return tuple(values) if distinct and len(values) > 1 else ()
+        """Measured clicks of the adjuster that was moved, ascending; empty if there is none, or several."""
+        moved = self.adjusters
+        if len(moved) != 1:
+            return ()
+        return tuple(item.settings[moved[0]] for item in self.settings)
 
     @property
     def velocity(self) -> Array:
         """Velocities (m/s) at which all settings are known."""
-        low = max(float(item.velocity[0]) for item in self.settings)
-        high = min(float(item.velocity[-1]) for item in self.settings)
-        union = np.unique(np.concatenate([item.velocity for item in self.settings]))
-        inside = union[(union >= low) & (union <= high)]
-        gap = 0.005 * (high - low)
-        kept = [float(inside[0])]
-        for value in inside[1:]:
-            if value - kept[-1] > gap:
-                kept.append(float(value))
-        return np.array(kept)
+        return shared_velocity(self.settings)
 
     @property
     def damper(self) -> dict[str, Any]:
@@ -127,83 +123,34 @@ class DamperMap(Plain):
             return None
         return {"force": float(np.mean(forces)), "regularisation_velocity": _SMOOTH}
 
-    def at(self, clicks: float) -> CurveAt:
+    def at(self, clicks: float | Mapping[str, float]) -> CurveAt:
         """Return the curve at clicks between measured ones.
 
-        Its interval adds the intervals of both neighbours and the error of the interpolation, which is told from how
-        well neighbours predict each measured setting between them; with two settings nothing tells it.
+        Its interval adds those of the measured settings and the error of the interpolation, which is told from how
+        well neighbours predict each measured setting between them; between two settings alone nothing tells it.
+        Where only some combinations of several adjusters were measured, their effects are added, and by how much they
+        would differ if they multiplied counts as an error.
 
         Parameters
         ----------
-        clicks : float
-            Clicks, within the measured ones.
+        clicks : float or mapping of str to float
+            Clicks, within the measured ones; of several adjusters by name (``bump_clicks``).
 
         Raises
         ------
         DescriptionError
             If the map has no clicks, or they lie beyond the measured ones.
         """
-        known = self.clicks
-        if not known:
-            raise DescriptionError(
-                "the records state no clicks", where="clicks",
-                hint="State the settings of each file in a table: file, clicks.",
-            )  # fmt: skip
-        if not known[0] <= clicks <= known[-1]:
-            raise DescriptionError(
-                "not among the clicks that were measured", where="clicks", found=f"{clicks:g}",
-                allowed=Phrase("{low:g} to {high:g}", low=known[0], high=known[-1]),
-            )  # fmt: skip
-        velocity = self.velocity
-        force, error = self._rows(velocity)
-        upper = min(max(int(np.searchsorted(known, clicks)), 1), len(known) - 1)
-        share = (clicks - known[upper - 1]) / (known[upper] - known[upper - 1])
-        mean = (1.0 - share) * force[upper - 1] + share * force[upper]
-        own = ((1.0 - share) * error[upper - 1]) ** 2 + (share * error[upper]) ** 2
-        bow = 4.0 * share * (1.0 - share) * self._bow(force)
-        half = _LEVEL * np.sqrt(own + bow**2)
-        return CurveAt(clicks, velocity, mean, mean - half, mean + half)
-
-    def _rows(self, velocity: Array) -> tuple[Array, Array]:
-        force = np.stack([np.interp(velocity, item.velocity, item.force) for item in self.settings])
-        half = np.stack(
-            [
-                np.interp(velocity, item.velocity, 0.5 * (item.high - item.low))
-                for item in self.settings
-            ]
-        )
-        return force, half / _LEVEL
-
-    def _bow(self, force: Array) -> Array:
-        """Return the usual error (N) of linear interpolation half-way between neighbours, at each velocity.
-
-        Neighbours at twice the distance err four times as much if the force bends evenly.
-        """
-        known = self.clicks
-        if len(known) < 3:
-            return np.full(force.shape[1], math.nan)
-        errors = []
-        for k in range(1, len(known) - 1):
-            share = (known[k] - known[k - 1]) / (known[k + 1] - known[k - 1])
-            errors.append(force[k] - (1.0 - share) * force[k - 1] - share * force[k + 1])
-        bow: Array = np.sqrt(np.mean(np.square(errors), axis=0)) / 4.0
-        return bow
+        over = adjusters_over(self.settings, self.velocity)
+        place = place_of(over, clicks)
+        (force,), (error,) = over.at(place)
+        half = LEVEL * error
+        value = math.nan if isinstance(clicks, Mapping) else float(clicks)
+        return CurveAt(value, over.velocity, force, force - half, force + half)
 
     def table(self) -> str:
-        """Write velocities, forces and their intervals of all settings as CSV, SI."""
-        lines = [
-            "clicks,temperature [K],gas pressure [Pa],velocity [m/s],force [N],low [N],high [N]"
-        ]
-        for item in self.settings:
-            stated = [
-                f"{item.settings[name]:.9g}" if name in item.settings else ""
-                for name in ("clicks", "temperature", "gas_pressure")
-            ]
-            lines += [
-                ",".join([*stated, *("" if math.isnan(x) else f"{x:.9g}" for x in row)])
-                for row in zip(item.velocity, item.force, item.low, item.high, strict=True)
-            ]
-        return "\n".join(lines) + "\n"
+        """Write all settings as CSV, SI, for other programs and :func:`jounce.read_damper_map`."""
+        return map_table(self.settings)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values, SI, with the tables for a rig."""
@@ -331,7 +278,7 @@ def damper_map(
     chosen = reading or usual_reading(list(alike.values()))
     largest = max(run.peak for run in used)
     curves: list[DamperSetting] = []
-    for group in sorted(alike.values(), key=lambda group: group[0].settings.get("clicks", 0.0)):
+    for group in sorted(alike.values(), key=_clicks_of):
         curve = curve_of(group, chosen, largest, findings)
         if len(curve.velocity) > 1:
             curves.append(curve)
@@ -345,14 +292,32 @@ def damper_map(
     summaries = tuple(summary_of(run) for run in used)
     findings += [item for run in used for item in run.findings]
     made = DamperMap(chosen, tuple(curves), summaries, ())
-    if len(curves) > 1 and not made.clicks:
+    if len(curves) > 1 and not made.adjusters:
         findings.append(finding("dampers.settings_unknown", "settings", len(curves)))
     return replace(made, findings=(*findings, *_mixed(made)))
 
 
+def shared_velocity(curves: Sequence[DamperSetting | CurveAt]) -> Array:
+    """Return the velocities (m/s) of curves between the slowest and fastest that all of them have."""
+    low = max(float(item.velocity[0]) for item in curves)
+    high = min(float(item.velocity[-1]) for item in curves)
+    union = np.unique(np.concatenate([item.velocity for item in curves]))
+    inside = union[(union >= low) & (union <= high)]
+    gap = 0.005 * (high - low)
+    kept = [float(value) for value in inside[:1]]
+    for value in inside[1:]:
+        if value - kept[-1] > gap:
+            kept.append(float(value))
+    return np.array(kept)
+
+
+def _clicks_of(group: list[ReadRun]) -> list[float]:
+    return [value for name, value in sorted(group[0].settings.items()) if is_clicks(name)]
+
+
 def _mixed(made: DamperMap) -> Iterator[Finding]:
     """Name what differs between settings beside their clicks, and so counts as an effect of them."""
-    for name in ("temperature", "gas_pressure") if made.clicks else ():
+    for name in ("temperature", "gas_pressure") if made.adjusters else ():
         stated = [item.settings[name] for item in made.settings if name in item.settings]
         if stated and (len(stated) < len(made.settings) or len(set(stated)) > 1):
             yield finding("dampers.conditions_differ", name, name=name)

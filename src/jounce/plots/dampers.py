@@ -8,14 +8,21 @@ import numpy as np
 
 from jounce.core.display import display_unit
 from jounce.core.numbers import number
+from jounce.dampers.adjusters import is_clicks, words_of
 from jounce.plots.figures import PALETTE, in_style, legend_above, new_figure
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from jounce.core.types import Array
+    from jounce.dampers.compared import DamperComparison
     from jounce.dampers.curves import DamperSetting
     from jounce.dampers.map import DamperMap
+    from jounce.dampers.sheet import DamperSheet
+    from jounce.design.clicks import ChosenClicks
 
 _OVER_CLICKS = 4  # velocities of each direction in the panel over clicks
 
@@ -67,8 +74,7 @@ def damper_map_curves(result: DamperMap, title: str = "") -> Figure:
             x, item.force * force.factor, "o-", color=colour, markersize=2.5, linewidth=1.2,
             label=setting_words(item),
         )  # fmt: skip
-    row[0].axhline(0.0, color="0.6", linewidth=0.6)
-    row[0].axvline(0.0, color="0.6", linewidth=0.6)
+    _cross(row[0])
     row[0].set(
         xlabel=speed.label("velocity, bump positive"), ylabel=force.label("force without gas")
     )
@@ -86,16 +92,28 @@ def setting_words(item: DamperSetting) -> str:
     >>> setting_words(SimpleNamespace(settings={"clicks": 8.0, "temperature": 313.15}, files=("a.csv",)))
     '8 clicks, 40 °C'
     """
-    words = []
-    if "clicks" in item.settings:
-        words.append(f"{item.settings['clicks']:g} clicks")
-    if "temperature" in item.settings:
-        words.append(f"{item.settings['temperature'] - 273.15:.3g} °C")
-    if "gas_pressure" in item.settings:
-        words.append(f"{item.settings['gas_pressure'] / 1e5:.3g} bar")
-    return ", ".join(words) or (
+    return settings_in_words(item.settings) or (
         item.files[0] if len(item.files) == 1 else f"{len(item.files)} records"
     )
+
+
+def settings_in_words(settings: Mapping[str, float]) -> str:
+    """Write clicks, temperature and gas pressure (SI) in usual units; empty without any.
+
+    >>> settings_in_words({"bump_clicks": 8.0, "rebound_clicks": 4.0, "gas_pressure": 1e6})
+    'bump 8, rebound 4, 10 bar'
+    """
+    words = []
+    for name, value in settings.items():
+        if name == "clicks":
+            words.append(f"{value:g} clicks")
+        elif is_clicks(name):
+            words.append(f"{words_of(name).removesuffix(' clicks')} {value:g}")
+    if "temperature" in settings:
+        words.append(f"{settings['temperature'] - 273.15:.3g} °C")
+    if "gas_pressure" in settings:
+        words.append(f"{settings['gas_pressure'] / 1e5:.3g} bar")
+    return ", ".join(words)
 
 
 def _over_clicks(axes: Axes, result: DamperMap, force: float, speed: float, unit: str) -> None:
@@ -126,3 +144,196 @@ def _over_clicks(axes: Axes, result: DamperMap, force: float, speed: float, unit
     axes.axhline(0.0, color="0.6", linewidth=0.6)
     axes.set_xlabel("clicks")
     axes.margins(x=0.14)
+
+
+@in_style
+def damper_set(sheet: DamperSheet, title: str = "") -> Figure:
+    r"""Draw the forces of all dampers of a sheet over velocity: a colour for each damper, a line for each setting.
+
+    Parameters
+    ----------
+    sheet : DamperSheet
+        Result of :func:`jounce.damper_sheet`.
+    title : str
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Force without gas over velocity.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> import jounce as jn
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "left.csv"
+    >>> _ = file.write_text("velocity,force\n-0.3,-450\n-0.1,-150\n0.1,80\n0.3,240\n")
+    >>> len(jn.plots.figure_of(jn.damper_sheet([file])).axes[0].lines)
+    3
+    """
+    settings = [item for damper in sheet.dampers for item in damper.map.settings]
+    force = display_unit("N", max(float(np.abs(item.force).max()) for item in settings))
+    speed = display_unit("m/s", max(float(np.abs(item.velocity).max()) for item in settings))
+    figure = new_figure(3.8)
+    axes = figure.subplots()
+    for k, damper in enumerate(sheet.dampers):
+        for i, item in enumerate(damper.map.settings):
+            axes.plot(
+                item.velocity * speed.factor, item.force * force.factor, _DASHES[k % len(_DASHES)],
+                color=PALETTE[k % len(PALETTE)], linewidth=1.2, label=damper.name if i == 0 else None,
+            )  # fmt: skip
+    _cross(axes)
+    axes.set(xlabel=speed.label("velocity, bump positive"), ylabel=force.label("force without gas"))
+    axes.set_title(title)
+    legend_above(axes, 4)
+    return figure
+
+
+@in_style
+def damper_comparison(result: DamperComparison, title: str = "") -> Figure:
+    r"""Draw the difference of two dampers over velocity with its interval, in the band of the tolerance.
+
+    Parameters
+    ----------
+    result : DamperComparison
+        Result of :func:`jounce.compare_dampers`.
+    title : str
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Forces of both over velocity, and second minus first with the tolerance.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> import jounce as jn
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "left.csv"
+    >>> _ = file.write_text("velocity,force\n-0.3,-450\n-0.1,-150\n0.1,80\n0.3,240\n")
+    >>> jn.plots.figure_of(jn.compare_dampers(file, file)).axes[1].get_ylabel()
+    'left minus left [N]'
+    """
+    groups: dict[str, list[int]] = {}
+    for k, item in enumerate(result.forces):
+        groups.setdefault(settings_in_words(item.clicks), []).append(k)
+    force = display_unit("N", max(abs(item.first) for item in result.forces))
+    away = display_unit("N", max(abs(item.difference.value) for item in result.forces))
+    speed = display_unit("m/s", max(abs(item.velocity) for item in result.forces))
+    figure = new_figure(3.8)
+    left, right = figure.subplots(1, 2)
+    for g, (words, places) in enumerate(groups.items()):
+        colour = PALETTE[g % len(PALETTE)]
+        own = [result.forces[k] for k in places]
+        x = np.array([item.velocity for item in own]) * speed.factor
+        for name, style in (("first", "-"), ("second", "--")):
+            y = np.array([getattr(item, name) for item in own]) * force.factor
+            label = words if name == "first" and len(groups) > 1 else None
+            left.plot(x, y, style, color=colour, linewidth=1.2, label=label)
+        band = np.array([item.tolerance for item in own]) * away.factor
+        right.fill_between(x, -band, band, color=colour, alpha=0.12, linewidth=0.0)
+        y = np.array([item.difference.value for item in own]) * away.factor
+        ends = (
+            np.array([item.difference.interval or (np.nan, np.nan) for item in own]) * away.factor
+        )
+        half = np.nan_to_num(0.5 * (ends[:, 1] - ends[:, 0]))
+        right.errorbar(
+            x, y, half, fmt="o", color=colour, markersize=3.0, linewidth=1.0, capsize=2.0
+        )
+    for axes in (left, right):
+        _cross(axes)
+        axes.set_xlabel(speed.label("velocity, bump positive"))
+    first, second = result.names
+    left.set_ylabel(force.label("force without gas"))
+    left.set_title(title or f"{first} (solid) and {second} (dashed)")
+    right.set_ylabel(away.label(f"{second} minus {first}"))
+    right.set_title("difference and tolerance")
+    if len(groups) > 1:
+        legend_above(left, 2)
+    return figure
+
+
+@in_style
+def chosen_clicks(result: ChosenClicks, title: str = "") -> Figure:
+    r"""Draw the target of a damper and its best clicks over velocity, and what is left over.
+
+    Parameters
+    ----------
+    result : ChosenClicks
+        Result of :func:`jounce.choose_clicks`.
+    title : str
+        Title of the figure.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Forces, or damping ratios if these are compared; and the residual of the best combinations.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> import jounce as jn
+    >>> file = pathlib.Path(tempfile.mkdtemp()) / "sheet.csv"
+    >>> rows = "".join(f"\n{c},{v},{v * (900 - 50 * c)}" for c in (0, 8) for v in (-0.3, -0.1, 0.1, 0.3))
+    >>> _ = file.write_text("clicks,velocity,force" + rows)
+    >>> figure = jn.plots.figure_of(jn.choose_clicks(file, {"coefficient": 700.0}))
+    >>> figure.axes[0].get_ylabel(), figure.axes[1].get_title()
+    ('force [N]', 'left over')
+    """
+    speed = display_unit("m/s", float(np.abs(result.velocity).max()))
+    x = result.velocity * speed.factor
+    wheel = result.wheel if result.compared == "ratio" else None
+    unit = display_unit("N" if wheel is None else "1", float(np.abs(result.target).max()))
+
+    def shown(values: Array) -> Array:
+        if wheel is not None:
+            return wheel.ratio(result.velocity, values)
+        return np.asarray(values * unit.factor)
+
+    figure = new_figure(3.8)
+    left, right = figure.subplots(1, 2)
+    best = result.best
+    sides = [side for side in (x < 0.0, x > 0.0) if side.any()]
+    for i, side in enumerate(sides):  # through rest a ratio has no value
+        for k, choice in enumerate(result.choices[:_SHOWN]):
+            colour = PALETTE[k % len(PALETTE)]
+            label = settings_in_words(choice.clicks) if i == 0 else None
+            rest = shown(choice.force - result.target)
+            right.plot(
+                x[side], rest[side], "o-", color=colour, markersize=2.5, linewidth=1.0, label=label
+            )
+            if k == 0:
+                left.plot(
+                    x[side],
+                    shown(choice.force)[side],
+                    "o-",
+                    color=colour,
+                    markersize=2.5,
+                    label=label,
+                )
+        for axes, of in ((left, 0.0), (right, result.target)):
+            low, high = shown(best.low - of), shown(best.high - of)
+            axes.fill_between(
+                x[side], low[side], high[side], color=PALETTE[0], alpha=0.2, linewidth=0.0
+            )
+        left.plot(
+            x[side], shown(result.target)[side], "--", color="0.25", label="target" if i == 0 else None
+        )  # fmt: skip
+    for axes in (left, right):
+        _cross(axes)
+        axes.set_xlabel(speed.label("velocity, bump positive"))
+    left.set_ylabel("damping ratio at the wheel" if wheel is not None else unit.label("force"))
+    left.set_title(title or "target and best")
+    right.set_title("left over")
+    legend_above(left, 2)
+    legend_above(right, 2)
+    return figure
+
+
+_DASHES = ("-", "--", "-.", ":")
+_SHOWN = 3  # combinations whose residual is drawn
+
+
+def _cross(axes: Axes) -> None:
+    axes.axhline(0.0, color="0.6", linewidth=0.6)
+    axes.axvline(0.0, color="0.6", linewidth=0.6)

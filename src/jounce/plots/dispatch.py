@@ -117,8 +117,11 @@ def _register() -> Callable[..., Figure]:
     from jounce.campaign.result import CampaignResult
     from jounce.campaign.strategy_result import StrategyResult
     from jounce.campaign.trial_result import TrialResult
+    from jounce.dampers.compared import DamperComparison
     from jounce.dampers.map import DamperMap
+    from jounce.dampers.sheet import DamperSheet
     from jounce.design.best_design import BestDesign
+    from jounce.design.clicks import ChosenClicks
     from jounce.design.goal_front import DesignFront
     from jounce.design.hardpoint_front import KinematicFront
     from jounce.design.kinematics import KinematicDesign
@@ -216,6 +219,9 @@ def _register() -> Callable[..., Figure]:
     draw.register(Calibration, fits.calibration_fit)
     draw.register(DamperCurve, of_damper)
     draw.register(DamperMap, dampers.damper_map_curves)
+    draw.register(DamperSheet, dampers.damper_set)
+    draw.register(DamperComparison, dampers.damper_comparison)
+    draw.register(ChosenClicks, dampers.chosen_clicks)
     draw.register(
         MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options)
     )

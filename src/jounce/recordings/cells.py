@@ -10,6 +10,7 @@ from pathlib import Path
 from jounce.core.columns import text_of
 from jounce.core.errors import RecordingError
 from jounce.core.files import reading
+from jounce.core.units import to_si
 
 
 def cells_of_file(file: Path) -> list[list[str]]:
@@ -40,3 +41,17 @@ def cells_of_text(text: str) -> list[list[str]]:
 
 def _with_points(cells: list[list[str]]) -> list[list[str]]:
     return [[re.sub(r"(?<=\d),(?=\d)", ".", cell) for cell in row] for row in cells]
+
+
+def si_of_cell(cell: str, unit: str, si: str, where: str) -> float:
+    """Read a number of a table in SI: its unit is that of the cell, else that of the heading, else SI.
+
+    >>> si_of_cell("50", "mm/s", "m/s", "row 2"), si_of_cell("0.2", "", "m/s", "row 3")
+    (0.05, 0.2)
+    """
+    text = cell.strip()
+    try:
+        float(text)
+    except ValueError:
+        return to_si(text, si, where=where)
+    return to_si(f"{text} {unit or si}" if si != "1" or unit else text, si, where=where)
