@@ -251,6 +251,7 @@ from .report.campaign_folder import report_campaign as report_campaign
 from .report.inspected import evaluate_inspection as evaluate_inspection
 from .report.inspected import open_inspection as open_inspection
 from .report.protocol import write_protocol as write_protocol
+from .ride.absorbed_power import absorbed_power as absorbed_power
 from .ride.closed_forms import spring_and_damper as spring_and_damper
 from .ride.drives import compare_controllers as compare_controllers
 from .ride.drives import ride_road as ride_road
@@ -298,6 +299,8 @@ from .variants.designs import monte_carlo as monte_carlo
 from .variants.designs import morris as morris
 from .variants.designs import saltelli as saltelli
 from .variants.designs import sobol as sobol
+from .variants.limits import SpeedLimits as SpeedLimits
+from .variants.limits import find_speed_limits as find_speed_limits
 from .variants.sensitivity import sensitivity_indices as sensitivity_indices
 from .variants.shards import load_sweep as load_sweep
 from .variants.simulate import simulate_many as simulate_many

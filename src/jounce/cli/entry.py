@@ -61,7 +61,8 @@ from jounce.core.trust import trusting
 EPILOG = 'Values carry their units: --speed "1.95 m/s"; bare numbers are SI. --debug shows the traceback of a crash.'
 _LONGEST = 1000  # maximum characters of a message of the command-line parser
 _TOO_LARGE = "Reduce the number of samples with a shorter duration or a larger output step."
-_SAMPLED = {"simulate", "ride", "compare", "sweep", "animate", "plot", "campaign", "demo"}
+_SAMPLED = {"simulate", "ride", "compare", "speed-limit", "sweep"}
+_SAMPLED |= {"animate", "plot", "campaign", "demo"}
 _CLICK_ERROR: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException"
 )
@@ -86,6 +87,7 @@ def _panels() -> dict[str, dict[str, Any]]:
             "ride": command_function("ride"),
             "ride-metrics": command_function("ride-metrics"),
             "compare": command_function("compare"),
+            "speed-limit": command_function("speed-limit"),
             "sweep": command_function("sweep"),
             "iri": command_function("iri"),
         },

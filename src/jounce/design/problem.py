@@ -1,8 +1,9 @@
 """A design task: free variables within bounds, an objective and limits, all with derivatives.
 
 Designs are evaluated by metrics of a stationary response or of a simulated trial. A metric is written as words:
-``sprung.az`` (r.m.s. about rest), ``sprung.az weighted`` (by Wk, or any weighting by its name), ``tyre.force
-coefficient`` (r.m.s. over static value), ``strut.deflection static``, ``mode 1 frequency``, ``mode 2 damping_ratio``.
+``sprung.az`` (r.m.s. about rest), ``sprung.az weighted`` (by Wk, or any weighting by its name), ``sprung.az
+absorbed_power`` (W), ``tyre.force coefficient`` (r.m.s. over static value), ``strut.deflection static``, ``mode 1
+frequency``, ``mode 2 damping_ratio``.
 A channel name without its corner selects that channel of all corners; ``worst`` before it takes the largest instead of
 the root mean square over the corners.
 """
@@ -27,13 +28,14 @@ from jounce.identify.fit_problem import Bounds, FreeParameter, free_parameters
 from jounce.kinematics.catalogue import CATALOGUE
 from jounce.parts import Rig
 from jounce.recordings.schema import channels_of
-from jounce.ride.covariance import RandomVibration, Signal
+from jounce.ride.absorbed_power import absorbed_power_response, absorbed_root, check_length
+from jounce.ride.covariance import Gain, RandomVibration, Signal
 from jounce.ride.family import Families, LinearFamily
 from jounce.ride.stationary import weighting_gain
 from jounce.ride.surface import Surface, surface
 from jounce.roads import Trial
 
-KINDS = ("rms", "weighted", "coefficient", "static")
+KINDS = ("rms", "weighted", "absorbed_power", "coefficient", "static")
 _MODE = {"frequency": "Hz", "damping_ratio": "1"}
 _EXAMPLES = (
     "e.g. 'sprung.az', 'sprung.az weighted', 'worst tyre.force coefficient', 'mode 1 frequency'"
@@ -96,11 +98,18 @@ def read_metric(text: str, units: Mapping[str, str], *, where: str) -> Metric:
             found=text,
             allowed="e.g. 'tyre.force coefficient'",
         )
+    if kind == "absorbed_power" and units[channels[0]] != "m/s^2":
+        raise DescriptionError(
+            Phrase("{word} is defined only for accelerations", word=kind),
+            where=where,
+            found=text,
+            allowed="e.g. 'sprung.az absorbed_power'",
+        )
     return Metric(
         str(text),
         channels,
         kind,
-        "1" if kind == "coefficient" else units[channels[0]],
+        {"coefficient": "1", "absorbed_power": "W"}.get(kind, units[channels[0]]),
         weighting,
         0,
         is_worst,
@@ -124,6 +133,13 @@ def _kind(word: str, text: str, where: str) -> tuple[str, str]:
         allowed=allowed,
         hint=nearest(word, KINDS),
     )
+
+
+def _gain_of(metric: Metric) -> Gain | None:
+    """Return the magnitude over frequency (Hz) of what weights a metric; None for a plain one."""
+    if metric.kind == "absorbed_power":
+        return lambda frequency: np.abs(absorbed_power_response(frequency))
+    return weighting_gain(metric.weighting) if metric.weighting else None
 
 
 def _mode_metric(text: str, words: Sequence[str], where: str) -> Metric:
@@ -154,7 +170,7 @@ class StationaryEvaluator:
         signals: list[Signal] = []
         for metric in self.metrics:
             if not metric.is_of_mode:
-                gain = weighting_gain(metric.weighting) if metric.weighting else None
+                gain = _gain_of(metric)
                 places[metric.text] = [len(signals) + i for i in range(len(metric.channels))]
                 signals += [Signal(names.index(channel), gain) for channel in metric.channels]
         return places, tuple(signals)
@@ -216,6 +232,8 @@ def _of_kind(
     """Return the metric of each channel (..., channels), and its slopes (..., numbers, channels)."""
     if metric.kind == "static":
         return rest, rest_slopes
+    if metric.kind == "absorbed_power":
+        return sigma**2, 2.0 * sigma[..., None, :] * slopes
     if metric.kind != "coefficient":
         return sigma, slopes
     if np.any(rest <= 0.0):
@@ -276,7 +294,9 @@ class TrialEvaluator:
         from jounce.ride.weighting import check_duration
 
         for metric in self.metrics:
-            if metric.weighting:
+            if metric.kind == "absorbed_power":
+                check_length(self.trial.duration, where=metric.text)
+            elif metric.weighting:
                 check_duration(metric.weighting, self.trial.duration, where=metric.text)
 
     @property
@@ -321,17 +341,20 @@ class TrialEvaluator:
         """Return a metric of signals (channels, time) with slopes (channels, numbers, time)."""
         rest, rest_slopes = signals[:, 0], along[:, :, 0]
         moved, slopes = signals - rest[:, None], along - rest_slopes[:, :, None]
-        if metric.weighting:
-            from jounce.ride.weighting import weight
-
-            rate = 1.0 / self.output_step
-            moved = np.array([weight(row, rate, metric.weighting) for row in moved])
-            slopes = np.array(
-                [[weight(row, rate, metric.weighting) for row in block] for block in slopes]
-            )
+        if metric.weighting or metric.kind == "absorbed_power":
+            moved = np.array([self._weigh(row, metric) for row in moved])
+            slopes = np.array([[self._weigh(row, metric) for row in block] for block in slopes])
         sigma = np.sqrt(np.mean(moved**2, axis=1))
         change = np.mean(slopes * moved[:, None, :], axis=2) / np.maximum(sigma, 1e-300)[:, None]
         return _of_kind(metric, sigma, change.T, rest, rest_slopes.T)
+
+    def _weigh(self, row: Array, metric: Metric) -> Array:
+        from jounce.ride.weighting import weight
+
+        rate = 1.0 / self.output_step
+        if metric.kind == "absorbed_power":
+            return absorbed_root(row, rate)
+        return weight(row, rate, metric.weighting)
 
 
 class Judge(Protocol):

@@ -75,6 +75,7 @@ MODULES = (
     "jounce.ride.modal",
     "jounce.roughness.iri",
     "jounce.simulation.trial_run",
+    "jounce.variants.limits",
     "jounce.variants.sweeping",
 )
 """Modules whose functions are operations, in the order of their commands in the help."""

@@ -21,6 +21,7 @@ from jounce.plots import (
     kinematic_design,
     kinematics,
     signals,
+    speed_limits,
     variants,
 )
 from jounce.plots.figures import write_figure
@@ -148,6 +149,7 @@ def _register() -> Callable[..., Figure]:
     from jounce.roughness.iri import ProfileRoughness
     from jounce.simulation import LinearModel, Mode
     from jounce.simulation.trial_run import TrialRun
+    from jounce.variants.limits import SpeedLimits
 
     @singledispatch
     def draw(result: object, **options: Any) -> Figure:  # noqa: ARG001
@@ -222,6 +224,7 @@ def _register() -> Callable[..., Figure]:
     draw.register(DamperSheet, dampers.damper_set)
     draw.register(DamperComparison, dampers.damper_comparison)
     draw.register(ChosenClicks, dampers.chosen_clicks)
+    draw.register(SpeedLimits, speed_limits.speed_limit_curves)
     draw.register(
         MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options)
     )

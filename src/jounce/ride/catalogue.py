@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from jounce.core.errors import RecordingError
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
+from jounce.ride import absorbed_power as power
 from jounce.ride import comfort
 from jounce.ride.comfort import duration_of, integral
 from jounce.ride.weighting import Start, check_duration, weight, weighting
@@ -274,6 +275,18 @@ def _sickness(view: Acceleration) -> float:
     return comfort.SICK_PER_DOSE * comfort.msdv(view.filtered("Wf"), view.rate)
 
 
+def _absorbed(view: Acceleration) -> float:
+    """Return the mean absorbed power (W) of the evaluated part; the filter has seen what came before."""
+    course = power.power_course(view.values, view.rate, start=view.choices.start)[view.first :]
+    power.check_length(duration_of(course, view.rate), where=view.channel)
+    return mean(course)
+
+
+def _shock(view: Acceleration) -> float:
+    course = power.shock_course(view.values, view.rate, start=view.choices.start)
+    return float(abs(course[view.first :]).max())
+
+
 def _power(view: CornerSignals) -> float:
     force = view["strut.damper_force"] if view.has("strut.damper_force") else view["strut.force"]
     return mean(force * view["strut.velocity"])
@@ -323,6 +336,12 @@ CATALOGUE: tuple[RideMetric, ...] = (
         "of vertical motion only, for 20 min to 6 h; grows with the length of the record"),
     RideMetric("motion_sickness", "1", "share of unadapted people likely to vomit, MSDV_z / 300", _sickness, "comfort",
         VERTICAL, _ISO + "annex D", "for 20 min to 6 h and a mixed population; not for single bumps"),
+    RideMetric("absorbed_power", "W", "mean power that a seated person absorbs", _absorbed, "comfort", VERTICAL,
+        "Lee and Pradko 1968, filter of Project Chrono",
+        "at the place of the channel, not of a seat; of a shock it depends on the length of the record; the limit of "
+        "NRMM is 6 W"),
+    RideMetric("shock", "m/s^2", "largest magnitude of the acceleration below 30 Hz", _shock, "comfort", VERTICAL,
+        "Project Chrono, NRMM", "decided by one event: 2.5 g is the limit of NRMM over a discrete obstacle"),
     RideMetric("vibration_total_value", "m/s^2", "a_v: root of the sum of squares of a_w over the axes recorded",
         _total, "point", LINEAR, _ISO + "6.5 and annex C",
         "without rotation, seat back and feet; axes not recorded count as zero"),
@@ -331,6 +350,12 @@ CATALOGUE: tuple[RideMetric, ...] = (
     RideMetric("travel_peak_to_peak", "m", "largest minus smallest deflection of the strut",
         lambda v: peak_to_peak(v[_STRUT]), "corner", (_STRUT,), _PLAIN,
         "along the strut; grows with the length of the record"),
+    RideMetric("peak_bump_velocity", "m/s", "largest velocity of the strut in bump",
+        lambda v: max(0.0, float(v["strut.velocity"].max())), "corner", ("strut.velocity",), _PLAIN,
+        "along the strut; decided by a single sample"),
+    RideMetric("peak_rebound_velocity", "m/s", "largest velocity of the strut in rebound",
+        lambda v: max(0.0, -float(v["strut.velocity"].min())), "corner", ("strut.velocity",), _PLAIN,
+        "along the strut; decided by a single sample"),
     RideMetric("travel_utilisation", "1", "largest share of the bump or rebound travel used, from the mean deflection",
         _use, "corner", (_STRUT,), _OWN, "1 means that a stop is reached; above 1 it is compressed"),
     RideMetric("travel_utilisation_rms", "1", "r.m.s. deflection over the whole travel available",

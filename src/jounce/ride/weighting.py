@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
 import numpy as np
@@ -232,16 +234,42 @@ def weight(values: ArrayLike, sample_rate: float, name: str, *, start: Start = "
     1.039
     """
     row = weighting(name)
+    return filter_exactly(
+        values,
+        sample_rate,
+        partial(weighting_response, row.name),
+        memory=row.memory,
+        slowest_rate=row.slowest_rate,
+        start=start,
+        where=f"weighting {row.name}",
+    )
+
+
+def filter_exactly(
+    values: ArrayLike,
+    sample_rate: float,
+    response: Callable[[Array], NDArray[np.complex128]],
+    *,
+    memory: float,
+    slowest_rate: float,
+    start: Start,
+    where: str,
+) -> Array:
+    """Filter a signal (n,) at a rate (Hz) by a response over frequency (Hz) that forgets within ``memory`` (s).
+
+    Exact at every frequency up to half the rate, and causal, as :func:`weight`; errors name ``where``.
+    """
     sample_rate = as_number(sample_rate, "Hz", where="sample_rate")
-    signal = _check_signal(values, sample_rate, row, start)
+    signal = _check_signal(values, sample_rate, slowest_rate, start, where)
     signal = signal - {"rest": 0.0, "first": float(signal[0]), "mean": float(signal.mean())}[start]
-    memory = math.ceil(row.memory * sample_rate) + _GUARD
+    samples = math.ceil(memory * sample_rate) + _GUARD
     extended = np.concatenate([signal, _continuation(signal)])
-    return _convolve(extended, row.name, sample_rate, memory)[: signal.size]
+    return _convolve(extended, response, sample_rate, samples)[: signal.size]
 
 
-def _check_signal(values: ArrayLike, sample_rate: float, row: Weighting, start: str) -> Array:
-    at = f"weighting {row.name}"
+def _check_signal(
+    values: ArrayLike, sample_rate: float, slowest_rate: float, start: str, at: str
+) -> Array:
     signal = as_samples(values, where=at)
     if start not in STARTS:
         raise unknown(str(start), STARTS, what="start of the record", where=at)
@@ -256,12 +284,12 @@ def _check_signal(values: ArrayLike, sample_rate: float, row: Weighting, start: 
             where=at,
             found=float(signal[sample]),
         )
-    if not (math.isfinite(sample_rate) and sample_rate >= row.slowest_rate):
+    if not (math.isfinite(sample_rate) and sample_rate >= slowest_rate):
         raise RecordingError(
             "the sample rate is too low for the weighting",
             where=at,
             found=f"{sample_rate:g} Hz",
-            allowed=Phrase("{slowest_rate:g} Hz or more", slowest_rate=row.slowest_rate),
+            allowed=Phrase("{slowest_rate:g} Hz or more", slowest_rate=slowest_rate),
         )
     return signal
 
@@ -275,7 +303,12 @@ def _continuation(signal: Array) -> Array:
     )
 
 
-def _convolve(signal: Array, name: str, sample_rate: float, memory: int) -> Array:
+def _convolve(
+    signal: Array,
+    response_at: Callable[[Array], NDArray[np.complex128]],
+    sample_rate: float,
+    memory: int,
+) -> Array:
     """Overlap-save: each block includes ``memory`` samples before it and a guard after it."""
     margin = memory + _GUARD
     block = _block_length(signal.size, margin)
@@ -284,7 +317,7 @@ def _convolve(signal: Array, name: str, sample_rate: float, memory: int) -> Arra
     padded = np.zeros(memory + count * step + _GUARD)
     padded[memory : memory + signal.size] = signal
     windows = np.lib.stride_tricks.sliding_window_view(padded, block)[::step]
-    response = weighting_response(name, np.fft.rfftfreq(block, 1.0 / sample_rate))
+    response = response_at(np.fft.rfftfreq(block, 1.0 / sample_rate))
     filtered = np.empty((count, step))
     for first in range(0, count, _BLOCKS_AT_ONCE):
         spectra = np.fft.rfft(windows[first : first + _BLOCKS_AT_ONCE], axis=1)

@@ -65,8 +65,9 @@ def simulate_many(  # noqa: PLR0913 - all but three are settings with a default
         (``"upper_arm_length"``, applied last; see :func:`apply_adjustments`), of the trial (``"trial.speed"``,
         ``"trial.road.seed"``), and of a controller (``"control.rate"``).
     metrics : sequence of str, optional
-        Metrics to store for each run: ``rms``, ``mean``, ``min``, ``max`` or ``range`` of a channel (``"rms
-        sprung.az"``) or a weighting of ISO 2631-1 (``"Wk sprung.az"``), computed from the samples. ``rms`` is about the
+        Metrics to store for each run: ``rms``, ``mean``, ``min``, ``max``, ``range`` or ``peak`` of a channel (``"rms
+        sprung.az"``), a weighting of ISO 2631-1 (``"Wk sprung.az"``), or ``absorbed_power`` (W) or ``shock`` of an
+        acceleration, computed from the samples. ``rms`` is about the
         value at rest (with a controller, about the first sample). A channel name without corner selects that channel of
         all corners.
     outputs : sequence of str, optional

@@ -29,6 +29,8 @@ BASES = {
     "ride": 'ride audi-a6-quarter-car --road iso:C --speed "20 m/s" --duration "3 s"',
     "ride-metrics": "ride-metrics ride.csv",
     "compare": 'compare audi-a6-quarter-car --speed "20 m/s" --duration "3 s" --control skyhook',
+    "speed-limit": 'speed-limit audi-a6-quarter-car --road iso:D --slowest "9 m/s" --fastest "10 m/s" --points 3 '
+    '--length "40 m"',
     "iri": "iri profile.csv",
     "plot": "plot base.csv --figure base.png",
     "draw": "draw kart-double-wishbone --figure kart.png",

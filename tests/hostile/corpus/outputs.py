@@ -42,6 +42,7 @@ LONG = (
     "campaign synthesise",
     "compare",
     "ride",
+    "speed-limit",
     "sweep",
     "design kinematic-front",
     "fit hardpoints",
@@ -166,6 +167,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         **dict.fromkeys(((one, "--figure") for one in ("kinematics", "load-cases")), ("",)),
         ("load-cases", "--out"): (".csv",),
         ("damper map", "--out"): (".csv",),
+        ("speed-limit", "--out"): (".csv",),
     }
     usual = {
         "--figure": tuple(FIGURES.writers),
