@@ -317,7 +317,7 @@ def _convolve(
     padded = np.zeros(memory + count * step + _GUARD)
     padded[memory : memory + signal.size] = signal
     windows = np.lib.stride_tricks.sliding_window_view(padded, block)[::step]
-    response = response_at(np.fft.rfftfreq(block, 1.0 / sample_rate))
+    response = response_at(np.asarray(np.fft.rfftfreq(block, 1.0 / sample_rate), dtype=float))
     filtered = np.empty((count, step))
     for first in range(0, count, _BLOCKS_AT_ONCE):
         spectra = np.fft.rfft(windows[first : first + _BLOCKS_AT_ONCE], axis=1)

@@ -528,7 +528,7 @@ def _with_height(road: Road, height: float) -> Road:
     raise DescriptionError(
         "the road has no height to replace",
         where="heights",
-        found=road.kind,
+        found=str(getattr(road, "kind", "")),
         allowed="an obstacle with a height, e.g. kind = 'half-cylinder'",
     )
 
