@@ -68,6 +68,8 @@ from .dampers.compared import DamperComparison as DamperComparison
 from .dampers.compared import compare_dampers as compare_dampers
 from .dampers.curves import DamperSetting as DamperSetting
 from .dampers.files import UnreadFile as UnreadFile
+from .dampers.histograms import DamperHistograms as DamperHistograms
+from .dampers.histograms import damper_histograms as damper_histograms
 from .dampers.map import CurveAt as CurveAt
 from .dampers.map import DamperMap as DamperMap
 from .dampers.map import damper_map as damper_map

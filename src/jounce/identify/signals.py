@@ -9,15 +9,17 @@ import numpy as np
 from jounce.core.types import Array
 
 
-def noise_of(signal: Array) -> float:
+def noise_of(signal: Array, order: int = 3) -> float:
     """Estimate the standard deviation of the white noise in a smooth signal, in its unit.
 
-    Third differences remove the motion; their median absolute value is robust to single jumps.
+    Differences of an order remove the motion, higher ones more of it; their median absolute value is robust to single
+    jumps.
 
     >>> noise_of(np.sin(np.linspace(0.0, 6.0, 2000))) < 1e-6
     True
     """
-    return float(np.median(np.abs(np.diff(signal, 3))) / (0.6745 * math.sqrt(20.0)))
+    gain = math.sqrt(math.comb(2 * order, order))
+    return float(np.median(np.abs(np.diff(signal, order))) / (0.6745 * gain))
 
 
 def quantum_of(x: Array) -> float:

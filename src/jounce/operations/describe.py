@@ -42,6 +42,7 @@ MODULES = (
     "jounce.dampers.sheet",
     "jounce.dampers.compared",
     "jounce.design.clicks",
+    "jounce.dampers.histograms",
     "jounce.design.adjustment",
     "jounce.design.studied",
     "jounce.design.measured_poses",

@@ -14,6 +14,7 @@ from jounce.plots import (
     analysis,
     audi_a6,
     campaign,
+    damper_histograms,
     dampers,
     design,
     fits,
@@ -119,6 +120,7 @@ def _register() -> Callable[..., Figure]:
     from jounce.campaign.strategy_result import StrategyResult
     from jounce.campaign.trial_result import TrialResult
     from jounce.dampers.compared import DamperComparison
+    from jounce.dampers.histograms import DamperHistograms
     from jounce.dampers.map import DamperMap
     from jounce.dampers.sheet import DamperSheet
     from jounce.design.best_design import BestDesign
@@ -225,6 +227,7 @@ def _register() -> Callable[..., Figure]:
     draw.register(DamperComparison, dampers.damper_comparison)
     draw.register(ChosenClicks, dampers.chosen_clicks)
     draw.register(SpeedLimits, speed_limits.speed_limit_curves)
+    draw.register(DamperHistograms, damper_histograms.damper_histogram_bars)
     draw.register(
         MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options)
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -109,14 +109,38 @@ def read_recording(
     >>> float(run["sprung.az"].max()), float(run["time"][1]), [finding.message for finding in findings]
     (19.6133, 0.001, ['decimal commas were read as decimal points'])
     """
+    mapping = dict(columns) if isinstance(columns, Mapping) else {}
+    return read_mapped(
+        path,
+        lambda _: mapping,
+        columns=columns,
+        sample_time=sample_time,
+        variable=variable,
+        resample=resample,
+        database=database,
+        sensors=sensors,
+    )
+
+
+def read_mapped(
+    path: Path | str,
+    choose: Callable[[SignalTable], Mapping[str, str]],
+    *,
+    columns: Columns = None,
+    sample_time: float | str | None = None,
+    variable: str = "",
+    resample: float | str | None = None,
+    database: Path | str | None = None,
+    sensors: Mapping[str, Sensor] | Path | str | None = None,
+) -> tuple[xr.Dataset, list[Finding]]:
+    """Read a recording whose columns ``choose`` maps to channels, once it sees them; else as `read_recording`."""
     file = existing_file(path, RecordingError)
     if is_read_in_child(file):
         isolated.prepare()  # the child starts while this process imports xarray
         import xarray  # noqa: F401
     chains = read_sensors(sensors) if isinstance(sensors, str | Path) else sensors or {}
     signals = _read_table(file, columns, variable, database)
-    mapping = dict(columns) if isinstance(columns, Mapping) else {}
-    mapping = {**electrical_columns(chains, signals.tables), **mapping}
+    mapping = {**electrical_columns(chains, signals.tables), **choose(signals)}
     new_step = _positive(resample, f"{file}: resample", "the step to resample to")
     given_step = _positive(sample_time, f"{file}: sample time", "the sample time")
     recorded = _own_time(signals, mapping) if given_step is not None else None

@@ -65,3 +65,19 @@ def find_laps(run: xr.Dataset) -> Array:
     time = run["time"].to_numpy()
     inside = np.unique(beacons[(beacons >= time[0]) & (beacons <= time[-1])])
     return np.stack([inside[:-1], inside[1:]], axis=1)
+
+
+def runs_of_numbers(time: Array, numbers: Array) -> list[tuple[int, float, float]]:
+    """Return each run of equal whole numbers of a counter: the number, and its first and last instant (s).
+
+    The first and the last run, which the recording has only in part, are left out.
+
+    >>> runs_of_numbers(np.arange(8.0), np.array([0.0, 1, 1, 1, 2, 2, 3, 3]))
+    [(1, 1.0, 4.0), (2, 4.0, 6.0)]
+    """
+    whole = np.rint(numbers)
+    changes = np.flatnonzero(whole[1:] != whole[:-1]) + 1
+    return [
+        (int(whole[first]), float(time[first]), float(time[last]))
+        for first, last in zip(changes[:-1].tolist(), changes[1:].tolist(), strict=True)
+    ]

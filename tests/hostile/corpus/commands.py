@@ -79,6 +79,7 @@ BASES = {
     "fit decay": 'fit decay base.csv --channel road.z --mass "16 kg"',
     "fit damper": "fit damper damper.csv",
     "damper map": "damper map damper.csv",
+    "damper histogram": "damper histogram damper.csv --channel damper=displacement",
     "fit calibration": "fit calibration tilt.csv",
     "bench speed": 'bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"',
     "bench drive": 'bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"',

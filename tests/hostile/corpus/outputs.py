@@ -168,6 +168,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("load-cases", "--out"): (".csv",),
         ("damper map", "--out"): (".csv",),
         ("speed-limit", "--out"): (".csv",),
+        ("damper histogram", "--out"): (".csv",),
     }
     usual = {
         "--figure": tuple(FIGURES.writers),
