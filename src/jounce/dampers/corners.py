@@ -228,8 +228,8 @@ def corner_named(text: str, where: str) -> str:
 def match_of(name: str, unit: str) -> Match | None:
     """Return what a channel is, from its name and its unit; None if it is no motion of a damper or wheel.
 
-    >>> match_of("Damper Pos FL", "mm").channel, match_of("LFshockVel", "m/s").channel, match_of("Wheel Speed FL", "km/h")
-    ('front_left.damper.travel', 'front_left.damper.velocity', None)
+    >>> match_of("LFshockVel", "m/s").channel, match_of("Wheel Speed FL", "km/h")
+    ('front_left.damper.velocity', None)
     """
     words = words_of(name)
     known = set(words)

@@ -275,8 +275,8 @@ def damper_histograms(  # noqa: PLR0913 - independent options
     """Make histograms of the travel and velocity of dampers from records of the track.
 
     Each sample counts as its share of time. Channels are named, or guessed from their names ("Damper FL",
-    "LFshockDefl", "Federweg VL", "front_left.strut.deflection"); what was guessed is a finding. Velocity is the derivative of the
-    travel, with zero phase, up to ``cutoff``. What cannot be used is a finding; everything else is used.
+    "LFshockDefl", "Federweg VL", "front_left.strut.deflection"); what was guessed is a finding. Velocity is the
+    derivative of the travel, with zero phase, up to ``cutoff``. What cannot be used is a finding; the rest is used.
 
     Parameters
     ----------
