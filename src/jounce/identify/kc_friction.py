@@ -10,7 +10,7 @@ import numpy as np
 from jounce.core.errors import JounceError
 from jounce.core.types import Array
 from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
-from jounce.kc.loops import lines_of, noise_of
+from jounce.kc.loops import Lines, lines_of, noise_of
 from jounce.kc.quantities import is_of_element, quantities
 from jounce.kc.tests import TESTS
 from jounce.parts import Corner, DependentAxle, Rig
@@ -41,6 +41,7 @@ class FrictionEffects:
         self, rig: Corner | DependentAxle, smooth: Corner | DependentAxle, travel: float
     ) -> None:
         self.rig, self.smooth, self.travel = rig, smooth, travel
+        self._weights: dict[tuple[bytes, bytes], tuple[Array, ...]] = {}
 
     def of(
         self,
@@ -65,10 +66,24 @@ class FrictionEffects:
             if run is None or loop is None:
                 effects.append(np.zeros(len(curve.inputs)))
                 continue
-            lines = [lines_of(loop, values[curve.quantity], curve.inputs) for values in run]
+            lines = [self._lines(loop, values[curve.quantity], curve.inputs) for values in run]
             rubbed = lines[0].elastic if curve.is_open else lines[0].mean
             effects.append(_filled(curve.inputs, rubbed - lines[1].mean))
         return effects
+
+    def _lines(self, loop: Array, values: Array, inputs: Array) -> Lines:
+        """Return the lines of a loop, as `lines_of`: for loops without gaps a product with its branches' weights."""
+        if not np.isfinite(values).all():
+            return lines_of(loop, values, inputs)
+        key = loop.tobytes(), inputs.tobytes()
+        if key not in self._weights:
+            each = [lines_of(loop, unit, inputs) for unit in np.eye(loop.size)]
+            self._weights[key] = tuple(
+                np.stack([getattr(lines, branch) for lines in each], axis=1)
+                for branch in ("up", "down")
+            )
+        up, down = self._weights[key]
+        return Lines(inputs, up @ values, down @ values)
 
     def _laboratory(self, rig: Corner | DependentAxle, changes: Mapping[str, float]) -> Laboratory:
         return Laboratory(

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
@@ -32,7 +33,7 @@ from jounce.identify.update import Identifiability, identifiability
 from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
 from jounce.kc.loops import lines_of, noise_of
 from jounce.kc.quantities import Poses, is_of_element, quantities
-from jounce.kc.sensitivities import check_parameters, is_of_bushing
+from jounce.kc.sensitivities import check_parameters, is_of_bushing, kc_parameters
 from jounce.kc.tangents import SETTLED, Tangents
 from jounce.kc.tests import TESTS
 from jounce.kc.vocabulary import QUANTITIES, quantity_name
@@ -47,7 +48,10 @@ _NODES = 11  # inputs at which a curve with many samples is compared
 _MANY = 60  # different inputs above which the curve is averaged between those
 _ROUNDS, _STEPS = 12, 8  # of friction and shares of model error, and of the search within each
 _SETTLED = 0.1  # of a standard error: a renewed friction that moves numbers by less has settled
-_TIGHT = 1e-3  # of an interval's half width: a change of parameters that ends the search
+_NEAR, _TIGHT = (
+    0.05,
+    1e-3,
+)  # of a standard error: a step that ends the search, until all is settled and then
 _START, _LEAST, _MOST = 0.02, 0.01, 1.0  # shares of model error: first guess and limits
 _USUAL, _SPREAD = (
     0.02,
@@ -242,9 +246,9 @@ def _bounds(
         )
     low: dict[str, float] = {}
     high: dict[str, float] = {}
-    values = rig.parameters()
+    values, known = rig.parameters(), kc_parameters(rig)
     for given, bounds in parameters.items():
-        for path in check_parameters(rig, [given]):
+        for path in check_parameters(rig, [given], known):
             unit, value, where = unit_of(rig, path), values[path], f"parameters: {given}"
             if isinstance(bounds, str | int | float):
                 share = isinstance(bounds, str) and bounds.strip().endswith("%")
@@ -373,11 +377,10 @@ def _curves(
     tangents = model.at(model.start)
     laboratory = tangents.laboratory
     rows: list[tuple[str, str, Any]] = []
+    known = _known(tangents)
     for test, data in tests.items():
-        kind = TESTS[test]
-        if kind.kind == "rack" and not laboratory.axle.steered:
+        if TESTS[test].kind == "rack" and not laboratory.axle.steered:
             continue
-        known = _known(tangents, kind)
         names = [str(n) for n in data.data_vars if n in known and data[n].dims == ("sample",)]
         rows += [(test, name, data) for name in names if _is_fitted(name, names, wanted)]
     for key in (*(wanted or ()), *totals, *noise):
@@ -406,8 +409,9 @@ def _curves(
     return out
 
 
-def _known(tangents: Tangents, kind: Any) -> list[str]:
+def _known(tangents: Tangents) -> list[str]:
     """Return the names of the quantities that have slopes."""
+    kind = TESTS["bounce"]
     path = tangents.run(kind, np.zeros(1), "height", "locked", 0.0)[0]
     own = tangents.slopes(path)
     settled = path.settled
@@ -484,14 +488,8 @@ def _curve(
         max(1.0, len(values) / (len(one) if len(one) <= _MANY else _NODES))
     )
     size = max(float(np.ptp(mean)), least)
-    reach = _REACH * float(np.ptp(nodes))
-    smooth = np.exp(-0.5 * ((nodes[:, None] - nodes) / reach) ** 2)
     is_total = name in totals or quantity_name(name) in totals
-    if is_total:
-        shares, basis = np.linalg.eigh(smooth)
-    else:
-        basis, shares = _without_constant(smooth)
-    shares = np.maximum(shares, 0.0)
+    basis, shares = _shapes(nodes.tobytes(), is_total=is_total)
     gap = (lines.up - lines.down)[np.isfinite(lines.up - lines.down)]
     opening = max(float(np.mean(gap**2)) - 2.0 * float(sigma) ** 2, 0.0) if gap.size else 0.0
     friction = opening * (_STUCK**2 * shares + _ROUGH**2)
@@ -512,13 +510,17 @@ def _curve(
     )
 
 
-def _without_constant(smooth: Array) -> tuple[Array, Array]:
-    """Return the shapes (k, k - 1) of a covariance that have mean zero, and the variance of each."""
-    count = len(smooth)
+@lru_cache(64)  # curves of a test share their nodes
+def _shapes(inputs: bytes, *, is_total: bool) -> tuple[Array, Array]:
+    """Return the shapes (k, j) of model error at k nodes and the variance of each: j is k, or k - 1 with mean zero."""
+    nodes = np.frombuffer(inputs)
+    count, reach = len(nodes), _REACH * float(np.ptp(nodes))
+    smooth = np.exp(-0.5 * ((nodes[:, None] - nodes) / reach) ** 2)
     constant = np.full(count, 1.0 / np.sqrt(count))
-    whole = np.linalg.qr(np.column_stack([constant, np.eye(count)[:, : count - 1]]))[0][:, 1:]
+    whole = np.linalg.qr(np.column_stack([constant, np.eye(count)[:, : count - 1]]))[0]
+    whole = whole if is_total else whole[:, 1:]
     shares, turned = np.linalg.eigh(whole.T @ smooth @ whole)
-    return np.asarray(whole @ turned), np.asarray(shares)
+    return np.asarray(whole @ turned), np.maximum(shares, 0.0)
 
 
 def _abscissa(test: str, data: xr.Dataset) -> Array:
@@ -565,30 +567,43 @@ class _Problem:
         )
         self.rubbed, self.rubbed_at = model.friction(model.start, curves), np.zeros(len(box))
         self.rubbing = [np.zeros((len(curve.inputs), len(box))) for curve in curves]
-        self.wanted: dict[str, dict[str, Array]] = {}
+        self.wanted: dict[str, list[str]] = {}
+        self.inputs: dict[str, Array] = {}
         for curve in curves:
-            self.wanted.setdefault(curve.test, {})[curve.quantity] = curve.inputs
+            self.wanted.setdefault(curve.test, []).append(curve.quantity)
+            before = self.inputs.get(curve.test, curve.inputs)
+            self.inputs[curve.test] = np.union1d(before, curve.inputs)
+        self.places = [np.searchsorted(self.inputs[c.test], c.inputs) for c in curves]
+        self.smooth: tuple[Array, list[tuple[Array, Array]]] | None = None
 
     def evaluate(self, x: Array) -> tuple[Array, Array, list[float]]:
         """Return differences measured minus model, slopes by scaled numbers, and root mean squares of each curve."""
-        tangents = self.model.at(self.model.start + x * self.half)
+        if self.smooth is None or not np.array_equal(x, self.smooth[0]):
+            self.smooth = x, self._without_friction(x)
         parts, slopes, sizes = [], [], []
-        done: dict[tuple[str, bytes], tuple[dict[str, Array], dict[str, Array]]] = {}
         moved = x - self.rubbed_at
-        for curve, rubbed, rubbing in zip(self.curves, self.rubbed, self.rubbing, strict=True):
-            key = curve.test, curve.inputs.tobytes()
-            if key not in done:
-                names = [
-                    name for name, inputs in self.wanted[curve.test].items()
-                    if inputs.tobytes() == key[1]
-                ]  # fmt: skip
-                done[key] = self.model.curves(tangents, curve.test, curve.inputs, names)
-            values, changes = (part[curve.quantity] for part in done[key])
-            off = curve.basis.T @ (curve.values - rubbed - rubbing @ moved - values)
+        for k, (curve, (values, changes)) in enumerate(
+            zip(self.curves, self.smooth[1], strict=True)
+        ):
+            rubbed = self.rubbed[k] + self.rubbing[k] @ moved
+            off = curve.basis.T @ (curve.values - rubbed - values)
             parts.append(off)
-            slopes.append(curve.basis.T @ (changes * self.half + rubbing))
+            slopes.append(curve.basis.T @ (changes + self.rubbing[k]))
             sizes.append(float(np.sqrt(off @ off / len(curve.inputs))))
         return np.concatenate(parts), np.concatenate(slopes), sizes
+
+    def _without_friction(self, x: Array) -> list[tuple[Array, Array]]:
+        """Return values of the smooth model at the nodes of each curve, and their slopes by scaled numbers."""
+        tangents = self.model.at(self.model.start + x * self.half)
+        runs = {
+            test: self.model.curves(tangents, test, self.inputs[test], names)
+            for test, names in self.wanted.items()
+        }
+        out = []
+        for curve, places in zip(self.curves, self.places, strict=True):
+            values, changes = (part[curve.quantity][places] for part in runs[curve.test])
+            out.append((values, changes * self.half))
+        return out
 
     def renew_friction(self, x: Array) -> Array:
         """Simulate friction at these numbers; return by how much the differences grow beyond what was expected."""
@@ -625,19 +640,30 @@ class _Problem:
         """Return the shares of model error that make the differences most likely, the numbers being fitted."""
         from scipy.optimize import minimize
 
-        def unlikeliness(log: Array) -> float:
-            weight = 1.0 / self.variance(np.exp(log), alone=True)
-            normal = slopes.T @ (weight[:, None] * slopes) + np.eye(len(self.half)) / self.prior**2
-            right = slopes.T @ (weight * off)
-            left = float(weight @ off**2 - right @ np.linalg.solve(normal, right))
-            usual = float((((log - np.log(_USUAL)) / _SPREAD) ** 2).sum())
-            return float(-np.log(weight).sum() + np.linalg.slogdet(normal)[1] + left + usual)
+        prior, log_usual = np.eye(len(self.half)) / self.prior**2, np.log(_USUAL)
+        own = self.family == np.arange(len(self.families))[:, None]
+
+        def unlikeliness(log: Array) -> tuple[float, Array]:
+            """Return it with its slopes."""
+            shares = np.exp(log)
+            weight = 1.0 / self.variance(shares, alone=True)
+            normal = slopes.T @ (weight[:, None] * slopes) + prior
+            fitted = np.linalg.solve(normal, slopes.T)
+            left = off - slopes @ (fitted @ (weight * off))
+            usual = (log - log_usual) / _SPREAD
+            value = weight @ (off * left) + np.linalg.slogdet(normal)[1] - np.log(weight).sum()
+            each = weight - weight**2 * ((slopes * fitted.T).sum(axis=1) + left**2)
+            slope = own @ (each * self.spread) * 2.0 * shares**2 + 2.0 * usual / _SPREAD
+            return float(value + usual @ usual), slope
 
         begin = np.full(len(self.families), np.log(_START))
         limits = [(np.log(_LEAST), np.log(_MOST))] * len(begin)
-        return np.asarray(np.exp(minimize(unlikeliness, begin, method="L-BFGS-B", bounds=limits).x))
+        best = minimize(unlikeliness, begin, jac=True, method="L-BFGS-B", bounds=limits)
+        return np.asarray(np.exp(best.x))
 
-    def search(self, x: Array, shares: Array) -> tuple[Array, tuple[Array, Array, list[float]]]:
+    def search(
+        self, x: Array, shares: Array, tight: float
+    ) -> tuple[Array, tuple[Array, Array, list[float]]]:
         """Minimise the weighted differences within the bounds by Gauss and Newton, each step halved if need be."""
         from scipy.optimize import lsq_linear
 
@@ -669,7 +695,7 @@ class _Problem:
             else:
                 break
             x, now = np.clip(x + step, low, high), new
-            if np.all(np.abs(step) < _TIGHT * spread):
+            if np.all(np.abs(step) < tight * spread):
                 break
         return x, now
 
@@ -686,7 +712,7 @@ class _Problem:
             )
         for _ in range(_ROUNDS):
             before = shares
-            x, last = self.search(x, shares)
+            x, last = self.search(x, shares, _NEAR)
             more = self.renew_friction(x)
             shares = self.likely(last[0] + last[1] @ x, last[1])
             weight, covariance = self.covariance(shares, last[1])
@@ -694,7 +720,7 @@ class _Problem:
             is_settled = bool(np.all(unsettled < _SETTLED * np.sqrt(np.diag(covariance))))
             if is_settled and np.all(np.abs(np.log(shares / before)) < 0.05):
                 break
-        x, last = self.search(x, shares)
+        x, last = self.search(x, shares, _TIGHT)
         weight, covariance = self.covariance(shares, last[1])
         if not is_settled:
             findings.append(

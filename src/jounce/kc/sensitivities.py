@@ -42,9 +42,11 @@ def kc_parameters(rig: Rig) -> tuple[str, ...]:
     return tuple(path for i, path in enumerate(listed) if i in moves)
 
 
-def check_parameters(rig: Rig, parameters: Sequence[str] | None) -> tuple[str, ...]:
+def check_parameters(
+    rig: Rig, parameters: Sequence[str] | None, known: Sequence[str] = ()
+) -> tuple[str, ...]:
     """Return the paths by which slopes are asked for, or all; refuse what the axle does not depend on."""
-    known = kc_parameters(rig)
+    known = tuple(known) or kc_parameters(rig)
     if parameters is None:
         return known
     names: list[str] = []
