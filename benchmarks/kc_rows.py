@@ -10,9 +10,10 @@ from timing import Row, processor_time
 
 import jounce as jn
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "tests" / "twins"))
+sys.path += [str(Path(__file__).parent.parent / "tests" / name) for name in ("twins", "recovery")]
 import kc_rigs  # noqa: E402 - the independent solver of the tests
 import kc_tests  # noqa: E402
+import test_kc_update as virtual  # noqa: E402 - virtual rigs with noise, friction and a wrong curve
 from kc_oracle import Oracle  # noqa: E402
 
 POINTS = 41
@@ -42,6 +43,7 @@ def kc_rows() -> list[Row]:
     every = jn.kc_tests(rig, points=POINTS)
     own = _least(lambda: jn.kc_tests(rig, points=POINTS))
     single = _least(lambda: jn.kc_test(rig, _TEST, points=POINTS))
+    slopes = _least(lambda: jn.kc_sensitivities(rig))
     sheet = _least(lambda: jn.kc_overview(every, jn.kc_centres(rig)))
     table = rig.model_dump(by_alias=True, exclude_none=True)
     axle = kc_tests.Rig(Oracle(kc_rigs.read_axle(table)))
@@ -62,10 +64,30 @@ def kc_rows() -> list[Row]:
             "≤ 0.3 s",
             "processor time",
         ),
+        Row(
+            problem,
+            "jounce, slopes of all rows by all hardpoints and stiffnesses",
+            slopes,
+            None,
+            slopes / own,
+            "≤ 3 × the tests",
+            "processor time",
+        ),
         Row(problem, "jounce, overview of all tests", sheet, None, None, "", "processor time"),
         Row(problem, f"jounce, {_TEST}", single, error, 1.0, "", "processor time"),
         Row(problem, f"independent solver (CasADi), {_TEST}", theirs, None, theirs / single),
+        _update_row(),
     ]
+
+
+def _update_row() -> Row:
+    """Processor time of an update of 20 coordinates and 12 stiffnesses to a noisy sheet of 14 tests, with friction."""
+    sheet, _, _ = virtual.virtual_rig(12)
+    free = dict.fromkeys(virtual.POINTS, "3 mm") | dict.fromkeys(virtual.STIFFNESSES, "30 %")
+    took = processor_time(lambda: jn.update_kc(virtual.START, sheet, free))
+    counts = f"{len(virtual.POINTS)} coordinates, {len(virtual.STIFFNESSES)} stiffnesses"
+    problem = f"update to {len(sheet)} measured tests: {counts}"
+    return Row(problem, "jounce", took, None, None, "≤ 10 s", "processor time")
 
 
 def _least(run: object) -> float:

@@ -197,16 +197,13 @@ def _figures(answered: Answered, folder: Path, force: bool) -> Missing:
 
 def _folder(answered: Answered, folder: Path, force: bool) -> Missing:
     """Write the results, then the page with its figures."""
-    from jounce.plots.figures import render_figure
     from jounce.report import Picture, write_page
 
     def page() -> Page:
         whole = answered.page()
         pictures = [picture for picture in whole.pictures() if isinstance(picture, Picture)]
-        drawn = {
-            f"{picture.name}.png": render_figure(picture.figure, [".png"])[".png"]
-            for picture in pictures
-        }
+        formats, note = (".svg", ".png"), whole.figure_note  # both from a layout: the page has SVG
+        drawn = {f"{picture.name}.png": picture.draw(formats, note)[".png"] for picture in pictures}
         return replace(whole, files=tuple(drawn.items()))
 
     with drawing() as missing:

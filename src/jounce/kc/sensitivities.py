@@ -155,8 +155,9 @@ def sensitivities_of(
     """Return the slopes of tests by name, each to the end of its range, with one laboratory."""
     tangents = Tangents(laboratory, parameters)
     options = (points, held, handwheel, trail)
+    units = {path: unit_of(laboratory.rig, path) for path in parameters}
     return {
-        name: _of_test(tangents, TESTS[name], parameters, quantities, to, *options)
+        name: _of_test(tangents, TESTS[name], units, quantities, to, *options)
         for name, to in ends.items()
     }
 
@@ -164,7 +165,7 @@ def sensitivities_of(
 def _of_test(
     tangents: Tangents,
     test: KCTest,
-    paths: tuple[str, ...],
+    parameters: Mapping[str, str],
     wanted: Sequence[str] | None,
     to: float | str | None,
     points: int,
@@ -202,7 +203,7 @@ def _of_test(
         },
         {
             "quantity": names,
-            "parameter": list(paths),
+            "parameter": list(parameters),
             "input": (
                 "sample",
                 inputs,
@@ -210,7 +211,7 @@ def _of_test(
             ),
             "unit": ("quantity", units),
             "slope_unit": ("quantity", [slope_unit(unit, test.unit) for unit in units]),
-            "parameter_unit": ("parameter", [unit_of(laboratory.rig, path) for path in paths]),
+            "parameter_unit": ("parameter", list(parameters.values())),
         },
         {"test": test.name, "held": held, "handwheel": handwheel},
     )

@@ -458,19 +458,21 @@ def lay_out(figure: Figure) -> None:
 
 def _content(figure: Figure, suffix: str) -> bytes:
     """Draw in one format, only once; ``figure.savefig`` would draw everything twice."""
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.backends.backend_pdf import FigureCanvasPdf
-    from matplotlib.backends.backend_svg import FigureCanvasSVG
-
     stream = io.BytesIO()
     canvas, dots = figure.canvas, figure.dpi
     try:
         if suffix == ".svg":
+            from matplotlib.backends.backend_svg import FigureCanvasSVG
+
             FigureCanvasSVG(figure).print_svg(stream, metadata={"Date": None, "Creator": None})  # type: ignore[no-untyped-call]
-        elif suffix == ".pdf":
+        elif suffix == ".pdf":  # takes half a second to import
+            from matplotlib.backends.backend_pdf import FigureCanvasPdf
+
             undated = {"CreationDate": None, "Creator": None, "Producer": None}
             FigureCanvasPdf(figure).print_pdf(stream, metadata=undated)  # type: ignore[no-untyped-call]
         else:
+            from matplotlib.backends.backend_agg import FigureCanvasAgg
+
             figure.set_dpi(_DOTS_PER_INCH)
             FigureCanvasAgg(figure).print_png(stream, metadata={"Software": None})  # type: ignore[no-untyped-call]
     finally:

@@ -152,6 +152,21 @@ class Picture:
         """Return the figure, calling its drawing function if it has one."""
         return self.source() if callable(self.source) else self.source
 
+    @cached_property
+    def _drawn(self) -> dict[str, bytes]:
+        return {}
+
+    def draw(self, suffixes: Sequence[str], note: str = "") -> dict[str, bytes]:
+        """Return the figure in formats such as ``".svg"``, with a note; each format is drawn once."""
+        from jounce.plots.figures import add_note, render_figure
+
+        missing = [suffix for suffix in suffixes if suffix not in self._drawn]
+        if missing:
+            if not self._drawn:
+                add_note(self.figure, note)
+            self._drawn.update(render_figure(self.figure, missing, salt=self.name))
+        return {suffix: self._drawn[suffix] for suffix in suffixes}
+
 
 def picture_of(result: object, name: str, words: str) -> Picture:
     """Create a picture of a result with the figure of its type, drawn on writing; ``words`` is also the caption."""

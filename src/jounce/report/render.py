@@ -196,12 +196,8 @@ def _files(picture: Picture | Chart, note: str, formats: Sequence[str]) -> dict[
             whole = chart_svg(picture, chart_style(), note)
             files |= {name: whole if name == "svg" else png_of(whole) for name in formats}
         return files
-    from jounce.plots.figures import add_note, render_figure
-
-    figure = picture.figure
-    add_note(figure, note)
     suffixes = dict.fromkeys((".svg", *(f".{name}" for name in formats)))
-    drawn = render_figure(figure, tuple(suffixes), salt=picture.name)
+    drawn = picture.draw(tuple(suffixes), note)
     page = inline_svg(drawn[".svg"], identity, picture.alternative)
     return {"page": page, **{name: drawn[f".{name}"] for name in formats}}
 
@@ -217,9 +213,7 @@ def _panels(picture: Picture | Chart) -> dict[str, bytes]:
             f"{name}-{k}.svg": plain_colours(chart_svg(panel, chart_style())).encode()
             for k, panel in enumerate(alone)
         }
-    from jounce.plots.figures import render_figure
-
-    return {f"{name}.svg": render_figure(picture.figure, (".svg",), salt=picture.name)[".svg"]}
+    return {f"{name}.svg": picture.draw((".svg",))[".svg"]}
 
 
 def _write_html(page: Page, file: Path) -> None:
