@@ -107,7 +107,7 @@ def settings_of_table(path: str | Path) -> tuple[DamperSetting, ...]:
         for name in ("velocity", "force"):
             if name not in values:
                 raise RecordingError("no number", where=f"{file}, row {number}, {name}")
-        groups.setdefault(tuple(sorted(stated.items())), []).append(values)
+        groups.setdefault(tuple(stated.items()), []).append(values)
     settings = tuple(_setting(dict(key), points, file) for key, points in groups.items())
     if not settings:
         raise RecordingError("the table has no rows", where=str(file))

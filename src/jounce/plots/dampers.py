@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from jounce.core.types import Array
-    from jounce.dampers.compared import DamperComparison
+    from jounce.dampers.compared import ComparedForce, DamperComparison
     from jounce.dampers.curves import DamperSetting
     from jounce.dampers.map import DamperMap
     from jounce.dampers.sheet import DamperSheet
@@ -203,7 +203,7 @@ def damper_comparison(result: DamperComparison, title: str = "") -> Figure:
     Returns
     -------
     matplotlib.figure.Figure
-        Forces of both over velocity, and second minus first with the tolerance.
+        Forces of both over velocity, and second minus first as a share of the tolerance.
 
     Examples
     --------
@@ -212,44 +212,39 @@ def damper_comparison(result: DamperComparison, title: str = "") -> Figure:
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "left.csv"
     >>> _ = file.write_text("velocity,force\n-0.3,-450\n-0.1,-150\n0.1,80\n0.3,240\n")
     >>> jn.plots.figure_of(jn.compare_dampers(file, file)).axes[1].get_ylabel()
-    'left minus left [N]'
+    'difference, of the tolerance [%]'
     """
-    groups: dict[str, list[int]] = {}
-    for k, item in enumerate(result.forces):
-        groups.setdefault(settings_in_words(item.clicks), []).append(k)
+    groups: dict[str, list[ComparedForce]] = {}
+    for item in result.forces:
+        groups.setdefault(settings_in_words(item.clicks), []).append(item)
     force = display_unit("N", max(abs(item.first) for item in result.forces))
-    away = display_unit("N", max(abs(item.difference.value) for item in result.forces))
     speed = display_unit("m/s", max(abs(item.velocity) for item in result.forces))
+    first, second = result.names
     figure = new_figure(3.8)
     left, right = figure.subplots(1, 2)
-    for g, (words, places) in enumerate(groups.items()):
+    right.axhspan(-100.0, 100.0, color="0.5", alpha=0.15, linewidth=0.0)
+    reach = speed.factor * max(abs(item.velocity) for item in result.forces)
+    for g, (words, own) in enumerate(groups.items()):
         colour = PALETTE[g % len(PALETTE)]
-        own = [result.forces[k] for k in places]
         x = np.array([item.velocity for item in own]) * speed.factor
         for name, style in (("first", "-"), ("second", "--")):
             y = np.array([getattr(item, name) for item in own]) * force.factor
-            label = words if name == "first" and len(groups) > 1 else None
-            left.plot(x, y, style, color=colour, linewidth=1.2, label=label)
-        band = np.array([item.tolerance for item in own]) * away.factor
-        right.fill_between(x, -band, band, color=colour, alpha=0.12, linewidth=0.0)
-        y = np.array([item.difference.value for item in own]) * away.factor
-        ends = (
-            np.array([item.difference.interval or (np.nan, np.nan) for item in own]) * away.factor
-        )
-        half = np.nan_to_num(0.5 * (ends[:, 1] - ends[:, 0]))
+            left.plot(x, y, style, color=colour, linewidth=1.2)
+        tolerance = np.array([item.tolerance or np.nan for item in own]) / 100.0
+        ends = np.array([item.difference.interval or (np.nan, np.nan) for item in own])
+        half = np.nan_to_num(0.5 * (ends[:, 1] - ends[:, 0]) / tolerance)
+        aside = 0.012 * reach * (g - 0.5 * (len(groups) - 1))
         right.errorbar(
-            x, y, half, fmt="o", color=colour, markersize=3.0, linewidth=1.0, capsize=2.0
-        )
+            x + aside, np.array([item.difference.value for item in own]) / tolerance, half, fmt="o",
+            color=colour, markersize=3.0, linewidth=1.0, label=words or f"{second} minus {first}",
+        )  # fmt: skip
     for axes in (left, right):
         _cross(axes)
         axes.set_xlabel(speed.label("velocity, bump positive"))
-    first, second = result.names
     left.set_ylabel(force.label("force without gas"))
-    left.set_title(title or f"{first} (solid) and {second} (dashed)")
-    right.set_ylabel(away.label(f"{second} minus {first}"))
-    right.set_title("difference and tolerance")
-    if len(groups) > 1:
-        legend_above(left, 2)
+    left.set_title(title or f"{first} (solid), {second} (dashed)")
+    right.set_ylabel("difference, of the tolerance [%]")
+    legend_above(right, 3)
     return figure
 
 

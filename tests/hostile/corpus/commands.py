@@ -80,6 +80,9 @@ BASES = {
     "fit damper": "fit damper damper.csv",
     "damper map": "damper map damper.csv",
     "damper histogram": "damper histogram damper.csv --channel damper=displacement",
+    "damper sheet": "damper sheet sheet.csv",
+    "damper compare": "damper compare sheet.csv sheet.csv",
+    "damper clicks": "damper clicks sheet.csv --target kart-quarter-car",
     "fit calibration": "fit calibration tilt.csv",
     "bench speed": 'bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"',
     "bench drive": 'bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"',
@@ -152,6 +155,8 @@ TEXTS = {
     "--date",
     "--variable",
     "--name",
+    "--serial",
+    "--remark",
     "--wheel",
     "--since",
     "--until",
@@ -291,6 +296,9 @@ def prepare() -> None:
         np.array([2.6, 2.501, 2.4]),
     )
     write("damper.csv", "time [s], displacement [m], force [N]", time, 0.02 * wave, force)
+    places = np.array([(c, v) for c in (0.0, 8.0) for v in (-0.3, -0.1, 0.1, 0.3)]).T
+    loads_at = (400.0 - 20.0 * places[0]) * places[1]
+    write("sheet.csv", "clicks, velocity [m/s], force [N]", *places, loads_at)
     long = np.arange(5000) * 0.005
     sweep = np.sin(2.0 * np.pi * (25.0 * long - 0.5 * long**2))
     loads = [

@@ -169,6 +169,10 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
         ("damper map", "--out"): (".csv",),
         ("speed-limit", "--out"): (".csv",),
         ("damper histogram", "--out"): (".csv",),
+        **dict.fromkeys(
+            ((one, "--out") for one in ("damper sheet", "damper compare")), (".csv", ".xlsx")
+        ),
+        ("damper clicks", "--out"): (".toml",),
     }
     usual = {
         "--figure": tuple(FIGURES.writers),
