@@ -27,10 +27,10 @@ from jounce.design.damper_targets import (
     WheelDamping,
     damper_in,
     law_and_rig,
-    shares_over,
     steady_force,
     wheel_of,
 )
+from jounce.design.speed_shares import shares_over
 from jounce.parts import Rig, as_rig
 from jounce.parts.files import rig_path, rig_text, updated_text
 
@@ -103,6 +103,8 @@ class ChosenClicks(Plain):
         Table to write under ``strut.damper``, set to the best: over clicks if one adjuster was moved.
     rig : Rig or None
         The rig with this damper.
+    source : str
+        Text of the rig's file, whose comments are kept; empty if the rig was not a file.
     findings : tuple of Finding
         Targets out of reach, settings that are interpolated, choices at the end of what was measured.
     """
@@ -176,7 +178,7 @@ class ChosenClicks(Plain):
     doing="comparing",
     example="jounce damper clicks damper.csv --target updated.toml --out set.toml",
 )
-def choose_clicks(
+def choose_clicks(  # noqa: PLR0913 - each is a choice of its own
     damper_map: AnyDamperMap,
     target: AnyDamperTarget,
     *,
@@ -201,11 +203,15 @@ def choose_clicks(
         float | str | None, Number("Spring rate at the wheel.", "RATE", "N/m")
     ] = None,
     shares: Annotated[
-        Mapping[float, float] | str | Path | None,
+        Any,
         File(
-            r"Histogram of the damper: a table with velocity \[m/s] and share; weights the speeds."
+            r"Histogram of the damper, by which speeds count: the table of `jounce damper histogram --out`, or one "
+            r"with velocity \[m/s] and share."
         ),
     ] = None,
+    corner: Annotated[
+        str, Mark("Corner or axle of the histogram: front_left, front.", "CORNER")
+    ] = "",
     compare: Annotated[
         Compared | None,
         Mark(
@@ -236,9 +242,12 @@ def choose_clicks(
     sprung_mass, wheel_rate : float or str, optional
         Sprung mass on the wheel (kg) and spring rate at the wheel (N/m); by default those of the rig. With the motion
         ratio they are required for damping ratios.
-    shares : mapping of float to float, str or Path, optional
-        Time share [1] over damper velocity (m/s, bump positive), or a table with ``velocity`` and ``share``: residuals
-        count by it. By default each measured velocity counts the same.
+    shares : DamperHistograms, mapping of float to float, str or Path, optional
+        Histogram of the damper's velocity, by which residuals count: a result of :func:`jounce.damper_histograms` or
+        its table; or time share [1] over velocity (m/s, bump positive), or a table with ``velocity`` and ``share``. By
+        default each measured velocity counts the same.
+    corner : str
+        Corner of the histogram, or the beginning of its name: the mean of these corners counts.
     compare : {"force", "ratio"}, optional
         Compare forces, or damping ratios; by default ratios if the target states them.
     best : int
@@ -298,7 +307,9 @@ def choose_clicks(
         return steady_force(law, own_rig, velocity)
 
     findings: list[Finding] = [*_conditions(made)]
-    velocity, weight = _speeds(made, shares, findings)
+    ratio = None if wheel is None else wheel.motion_ratio
+    counted = None if shares is None else shares_over(shares, corner, ratio)
+    velocity, weight = _speeds(made, counted, findings)
     force = wanted(velocity)
     known = np.isfinite(force)
     if not known.any():
@@ -340,14 +351,14 @@ def _conditions(made: DamperMap) -> Iterator[Finding]:
 
 
 def _speeds(
-    made: DamperMap, shares: Mapping[float, float] | str | Path | None, findings: list[Finding]
+    made: DamperMap, shares: tuple[Array, Array] | None, findings: list[Finding]
 ) -> tuple[Array, Array]:
     """Return the damper velocities to compare (m/s) and their weights: those of the map, or of a histogram."""
     measured = made.velocity
     if shares is None:
         velocity = measured[measured != 0.0]
         return velocity, np.full(len(velocity), 1.0 / len(velocity))
-    velocity, share = shares_over(shares)
+    velocity, share = shares
     inside = (velocity >= measured[0]) & (velocity <= measured[-1])
     beyond = float(share[~inside].sum())
     if beyond > _SAME:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Self, TypeAlias
+from typing import Annotated, Any, Self, TypeAlias
 
 import numpy as np
 
@@ -24,9 +24,6 @@ from jounce.design.lumping import lump
 from jounce.parts import Corner, QuarterCar, Rig, as_rig
 from jounce.parts.dampers import DamperLaw, MapDamper, SampledPoint, as_damper, damper_laws
 from jounce.recordings.cells import cells_of_file, si_of_cell
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
 
 _BEYOND = 20.0  # m/s: further than any wheel moves
 
@@ -430,27 +427,3 @@ def wheel_of(rig: Rig | None, given: Mapping[str, float | str | None]) -> Damped
             hint="Or give a quarter car or a corner as rig.",
         )
     return DampedWheel(**values)
-
-
-def shares_over(path: str | Path | Mapping[float, float]) -> tuple[Array, Array]:
-    """Return damper velocities (m/s, bump positive) and time shares [1] of a histogram.
-
-    Raises
-    ------
-    RecordingError, DescriptionError
-        If the table cannot be read, or shares are negative or all zero.
-    """
-    points: Sequence[tuple[float, ...]] = (
-        sorted(path.items())
-        if isinstance(path, Mapping)
-        else sorted(columns_of_table(path, {"velocity": "m/s", "share": "1"}))
-    )
-    velocity, share = np.array(points, dtype=float).T
-    if not (np.isfinite(share).all() and (share >= 0.0).all() and share.any()):
-        raise DescriptionError(
-            "out of range",
-            where="shares",
-            found=f"{share.min():g}",
-            allowed="0 or above, not all 0",
-        )
-    return velocity, share / share.sum()

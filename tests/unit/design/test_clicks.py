@@ -175,6 +175,20 @@ def test_a_histogram_decides_which_speeds_count(tmp_path: Path):
     assert beyond.best.clicks == slow.best.clicks
     (item,) = [item for item in beyond.findings if item.code == "design.histogram_beyond_map"]
     assert item.value == pytest.approx(0.2)
+    counted = tmp_path / "counted.csv"
+    counted.write_text(
+        "record,section,corner,quantity,from,to,share\n"
+        "a,whole,front_left,velocity [m/s],-0.1,-0.06,0.5\na,whole,front_left,velocity [m/s],0.06,0.1,0.5\n"
+        "a,whole,front_left,travel [m],0,1,1\na,lap 1,front_left,velocity [m/s],0.3,0.4,1\n"
+        "a,whole,rear_left,velocity [m/s],0.3,0.4,1\n"
+    )
+    front = jn.choose_clicks(file, {"coefficient": 800.0}, shares=counted, corner="front")
+    assert front.velocity == pytest.approx([-0.08, 0.08])
+    assert front.best.clicks == slow.best.clicks
+    with pytest.raises(DescriptionError, match="several corners"):
+        jn.choose_clicks(file, {"coefficient": 800.0}, shares=counted)
+    with pytest.raises(DescriptionError, match="unknown corner"):
+        jn.choose_clicks(file, {"coefficient": 800.0}, shares=counted, corner="middle")
     with pytest.raises(DescriptionError, match="no velocity of the histogram"):
         jn.choose_clicks(file, {"coefficient": 800.0}, shares={2.0: 1.0})
 
