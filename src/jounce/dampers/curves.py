@@ -21,8 +21,8 @@ Reading = Literal["peak", "continuous"]
 
 _SHARES = np.array([0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97])
 """Velocities of a continuous reading, as shares of the largest: closer where valves open."""
-_SLOW = (0.04, 0.18, 0.35)
-"""Speeds from and to which gas and friction are found, of the slowest record: then further, if samples are too few."""
+_SLOW = ((0.04, 0.18), (0.04, 0.35), (0.1, 0.35), (0.18, 0.5))
+"""Speeds from and to which gas and friction are found, as shares of the peak velocity of the slowest record."""
 _SAMPLES = 12  # of a cycle and side, for a cubic
 _REACH = 0.985  # share of its peak velocity up to which a record counts
 _SAME = 0.05  # peak velocities that differ by less are one
@@ -111,6 +111,7 @@ def curve_of(
         findings.append(
             finding("dampers.repeats_differ", place, repeatability, share=repeatability)
         )
+    _name_friction(at, forces, gas, friction, place, findings)
     bends = _bends(at, np.array([item.value for item in forces]), narrow)
     net = [_net(item, gas, bend) for item, bend in zip(forces, bends.tolist(), strict=True)]
     ends = np.array([item.interval or (math.nan, math.nan) for item in net]).reshape(-1, 2)
@@ -119,6 +120,25 @@ def curve_of(
         at, np.array([item.value for item in net]), ends[:, 0], ends[:, 1],
         _if_told(gas), _if_told(stiffness), _if_told(at_least_zero(friction)), _if_told(lag), repeatability,
     )  # fmt: skip
+
+
+def _name_friction(
+    velocity: Array, forces: Sequence[Estimate], gas: Estimate, friction: Estimate,
+    place: str, findings: list[Finding],
+) -> None:  # fmt: skip
+    """Name a friction that is a large part of the force even at the largest velocity."""
+    if friction.interval is None or not len(velocity):
+        return
+    k = int(np.argmax(np.abs(velocity)))
+    share = friction.interval[0] / abs(forces[k].value - gas.value)
+    if share > _FRICTION:
+        speed = abs(float(velocity[k]))
+        findings.append(
+            finding("dampers.friction_rules", place, share, share=share, velocity=speed)
+        )
+
+
+_FRICTION = 0.3  # of the force at the largest velocity
 
 
 def _as_instants_allow(lag: Estimate, runs: Sequence[ReadRun]) -> Estimate:
@@ -286,33 +306,48 @@ def _at_rest(
 ) -> tuple[Estimate, Estimate]:
     """Extrapolate bump and rebound to rest: their mean is the gas force, half their difference the friction.
 
-    A parabola and a cubic are fitted in each cycle; what they differ by is counted as uncertain, too. Where
+    A parabola and a cubic are fitted in each cycle; what they differ by is counted as uncertain, too. Of several
+    windows of speed that with the least error counts: in the slowest, seals may still creep before they slide. Where
     slow samples are too few, the static force of the slowest record is the gas force, and the friction is unknown.
     """
     slowest = min(runs, key=lambda run: run.peak)
-    for fastest in _SLOW[1:]:
-        sides: list[list[tuple[Array, Array]]] = [[], []]  # of gas and friction, by record
-        for run in runs:
-            ends = [
-                _intercepts(
-                    run, sign, (_SLOW[0] * slowest.peak, fastest * slowest.peak), lag, stiffness
-                )
-                for sign in (1.0, -1.0)
-            ]
-            both = np.isfinite(ends[0][1]) & np.isfinite(ends[1][1])
-            for way, results in zip((1.0, -1.0), sides, strict=True):
-                parabola, cubic = (
-                    0.5 * (bump + way * rebound)[both] for bump, rebound in zip(*ends, strict=True)
-                )
-                if len(parabola):
-                    results.append((parabola, cubic))
-        if sum(len(parabola) for parabola, _ in sides[0]) > 1:
-            gas, friction = (_pooled(side) for side in sides)
-            return gas, friction
+    ends = [
+        pair
+        for window in _SLOW
+        if (
+            pair := _ends_in(
+                runs, (window[0] * slowest.peak, window[1] * slowest.peak), lag, stiffness
+            )
+        )
+    ]
+    if ends:
+        return min(
+            ends, key=lambda pair: math.hypot(*(item.standard_error or 0.0 for item in pair))
+        )
     if not slowest.has_slow_samples:
         findings.append(finding("dampers.gas_unknown", slowest.file))
         return Estimate(0.0), Estimate(0.0)
     return slowest.rest, Estimate(0.0)
+
+
+def _ends_in(
+    runs: Sequence[ReadRun], window: tuple[float, float], lag: float, stiffness: float
+) -> tuple[Estimate, Estimate] | None:
+    """Return gas force and friction as the samples of a window of speed (m/s) tell them; None with too few cycles."""
+    sides: list[list[tuple[Array, Array]]] = [[], []]  # of gas and friction, by record
+    for run in runs:
+        bump, rebound = (_intercepts(run, sign, window, lag, stiffness) for sign in (1.0, -1.0))
+        both = np.isfinite(bump[1]) & np.isfinite(rebound[1])
+        if both.any():
+            for way, results in zip((1.0, -1.0), sides, strict=True):
+                parabola, cubic = (
+                    0.5 * (up + way * down)[both] for up, down in zip(bump, rebound, strict=True)
+                )
+                results.append((parabola, cubic))
+    if sum(len(parabola) for parabola, _ in sides[0]) < 2:
+        return None
+    gas, friction = (_pooled(side) for side in sides)
+    return gas, friction
 
 
 def _pooled(records: Sequence[tuple[Array, Array]]) -> Estimate:

@@ -252,7 +252,8 @@ def damper_map(
         if isinstance(item, UnreadFile):
             findings.append(left_out(item.path, item.error))
             continue
-        findings += item.findings
+        # What a record check says with its consequence for a damper is said once.
+        findings += [each for each in item.findings if each.code != "recordings.clipped"]
         try:
             stated, more = settings_of(item, table)
             run = read_run(

@@ -372,7 +372,10 @@ def _clipping_limits(values: Array) -> dict[float, int]:
     if not resolution.size:
         return {}
     smallest = float(resolution.min())
-    limits = {limit: _flat_samples(values, limit, 1.5 * smallest) for limit in reached}
+    limits = {
+        limit: _flat_samples(values, limit, 1.5 * smallest, _rounding_at(values, limit))
+        for limit in reached
+    }
     return {
         limit: count for limit, count in limits.items() if count >= FEWEST_CLIPPED and limit != 0.0
     }
@@ -394,13 +397,38 @@ def _clipping(values: Array, at: str) -> list[Finding]:
     ]
 
 
-def _flat_samples(values: Array, limit: float, jump: float) -> int:
-    """Count samples in inner runs at ``limit`` that are entered and left by a jump larger than ``jump``."""
+def _flat_samples(values: Array, limit: float, jump: float, rounding: float) -> int:
+    """Count samples in inner runs at ``limit`` that are entered and left by a jump larger than ``jump``.
+
+    A smooth top that was rounded is flat, too: as far before and after as the run is long, it is a few steps of
+    rounding away from the limit.
+    """
     starts, ends = _runs(values, CLIPPED_RUN)
     at_limit = values[starts] == limit
     starts, ends = starts[at_limit], ends[at_limit]
     steep = (np.abs(values[starts - 1] - limit) > jump) & (np.abs(values[ends] - limit) > jump)
-    return int((ends - starts)[steep].sum())
+    length = ends - starts
+    before, after = (
+        np.abs(values[np.clip(place, 0, values.size - 1)] - limit)
+        for place in (starts - length, ends - 1 + length)
+    )
+    cut = np.maximum(before, after) > _ROUND_TOP * rounding
+    return int(length[steep & cut].sum())
+
+
+_ROUND_TOP = 12.0
+"""Steps of rounding: a parabola that is flat over a run by half a step up and down falls four to eight beside it."""
+
+
+def _rounding_at(values: Array, limit: float) -> float:
+    """Return the step of rounding near a limit: numbers written with five digits are rounded more coarsely there."""
+    levels = np.unique(values)
+    near = levels[:_LEVELS] if limit == levels[0] else levels[-_LEVELS:]
+    return min(float(np.diff(near).min()), _COARSEST * float(np.ptp(levels)))
+
+
+_LEVELS = 9  # next to a limit, from which the step of rounding is told
+_COARSEST = 1e-3  # of the range: a coarser step is one of the signal
 
 
 def _runs(values: Array, fewest: int) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

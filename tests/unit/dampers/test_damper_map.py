@@ -105,6 +105,36 @@ def test_intervals_are_of_use():
     assert made.clicks == (0.0, 4.0, 8.0)
 
 
+def rubbing(frequency: float, digits: str) -> xr.Dataset:
+    """A damper like the bicycle's of the kart paper, of which hardly more than friction is left; its seals creep."""
+    rng = np.random.default_rng(1)
+    t = np.arange(0.0, 12.0, 1e-3)
+    x = 0.02 * np.sin(2.0 * np.pi * frequency * t)
+    v = 0.04 * np.pi * frequency * np.cos(2.0 * np.pi * frequency * t)
+    force = 38.0 * np.tanh(v / 4e-3) + 25.0 * v + rng.normal(0.0, 0.8, len(t))
+    written = np.array([float(format(value, digits)) for value in x])
+    return jn.recording(t, {"displacement": (written, "m", ""), "force": (force, "N", "")})
+
+
+def test_a_damper_that_only_rubs_is_called_so():
+    given = [jn.RecordFile(f"{f}.csv", rubbing(f, ".5g")) for f in (0.5, 1.0, 2.0, 3.0)]
+    made = jn.damper_map(given)
+    (item,) = made.settings
+    assert item.friction.has(38.0)
+    assert item.friction.standard_error < 1.5
+    (told,) = (each for each in made.findings if each.code == "dampers.friction_rules")
+    assert "not viscous" in str(told)
+    # Rounding to five digits makes the ends of the stroke flat: nothing was out of range.
+    assert not any("limits" in str(each) for each in made.findings)
+
+
+def test_a_stroke_out_of_range_is_still_told():
+    record = rubbing(1.0, ".5g")
+    cut = record["displacement"].clip(-0.019, 0.019)
+    made = jn.damper_map([jn.RecordFile("cut.csv", record.assign(displacement=cut))])
+    assert sum("flat at its limits" in str(each) for each in made.findings) == 1
+
+
 @pytest.mark.parametrize("signs", [(1, 1), (-1, -1), (-1, 1), (1, -1)])
 def test_signs_are_found_from_the_gas_force(signs):
     rng = np.random.default_rng(3)
