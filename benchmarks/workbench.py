@@ -181,6 +181,9 @@ def measured(served: Served, folder: Path) -> list[tuple[str, str, str]]:
         rows.append(
             (f"travel slider to the pose of mechanism and {count} curves", "–", median(times))
         )
+        opened("kc?rig=double-wishbone-elastic", ".sheet tbody tr:nth-child(30)")
+        times = page.evaluate(SLIDER, [path, 30, True])
+        rows.append(("slider to the redrawn test of a K&C sheet", "200 ms", median(times)))
         for name, count in LENGTHS.items():
             long_record(folder / name, count)
             began = time.perf_counter()

@@ -442,7 +442,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
           waiting = window.setTimeout(() => void asked(true), isWhole ? 0 : PAUSE);
         state.textContent =
           isWhole && extra.missing
-            ? tr("# tests of the overview are still to be computed", String(extra.missing))
+            ? tr("tests of the overview still to be computed: #", String(extra.missing))
             : `${tr("computed and drawn in")} ${written(times[times.length - 1] ?? 0, 2)} ms`;
         state.classList.remove("problem");
       } catch (error) {
