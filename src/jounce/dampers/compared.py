@@ -15,14 +15,14 @@ import numpy as np
 
 from jounce.core.errors import DescriptionError
 from jounce.core.findings import Finding, finding
-from jounce.core.operation import File, Number, operation
+from jounce.core.operation import File, Number, Texts, operation
 from jounce.core.serialise import Plain
 from jounce.core.units import positive_si
 from jounce.dampers.adjusters import LEVEL, adjusters_over, words_of
 from jounce.dampers.curves import DamperSetting
 from jounce.dampers.map import CurveAt, DamperMap, shared_velocity
 from jounce.dampers.map_files import as_damper_map
-from jounce.dampers.sheet import force_at
+from jounce.dampers.sheet import force_at, names_for
 from jounce.identify.estimate import Estimate
 
 Verdict = Literal["within", "outside", "cannot be told"]
@@ -166,6 +166,7 @@ class DamperComparison(Plain):
 @operation(
     "damper compare",
     arguments=2,
+    named={"names": "name"},
     offers=("tables", "figure", "report"),
     page="jounce.report.damper_sheets:comparison_page",
     title="Comparison of two dampers",
@@ -184,7 +185,9 @@ def compare_dampers(
     tolerance_force: Annotated[
         float | str, Number("Allowed force beside it; they add.", "FORCE", "N")
     ] = 10.0,
-    names: tuple[str, str] | None = None,
+    names: Annotated[
+        Sequence[str] | None, Texts("Name of a damper, in order; repeat it.", "NAME")
+    ] = None,
 ) -> DamperComparison:
     r"""Compare two dampers of an axle, force by force, against a tolerance; intervals of both count.
 
@@ -196,8 +199,8 @@ def compare_dampers(
         Allowed difference as a share of the mean of both forces [1].
     tolerance_force : float or str
         Allowed force (N) that is added, because shares of small forces are smaller than a test rig can read.
-    names : (str, str), optional
-        Names of the dampers; by default those of their files.
+    names : sequence of str, optional
+        Names of both dampers; by default those of their files.
 
     Returns
     -------
@@ -243,10 +246,10 @@ def compare_dampers(
                 forces.append(_compared(clicks, float(at), loads[0], loads[1], share, extra))
     if not forces:
         raise DescriptionError("the dampers have no velocities in common", where="second")
-    called = names or tuple(
+    called = names_for(names, "names", 2) or [
         Path(item).stem if isinstance(item, str | Path) else word
         for item, word in zip(given, ("first", "second"), strict=True)
-    )
+    ]
     if any(item.difference.interval is None for item in forces):
         findings.append(finding("dampers.compared_without_interval", "forces"))
     others = {name: _difference([_mean(m, name) for m in maps]) for name in _QUANTITIES}

@@ -239,11 +239,11 @@ def damper_sheet(
     if not given:
         raise DescriptionError("no damper map is given", where="maps", allowed="one or more")
     read = [as_damper_map(item) for item in given]
-    named = _texts(names, "names", len(read)) or [
+    named = names_for(names, "names", len(read)) or [
         Path(item).stem if isinstance(item, str | Path) else f"damper {k}"
         for k, item in enumerate(given, 1)
     ]
-    numbers = _texts(serials, "serials", len(read)) or [""] * len(read)
+    numbers = names_for(serials, "serials", len(read)) or [""] * len(read)
     chosen = STANDARD if speeds is None else tuple(sorted(_speed(value) for value in speeds))
     reached = max(float(np.abs(item.velocity).max()) for made in read for item in made.settings)
     used = tuple(
@@ -262,7 +262,14 @@ def damper_sheet(
     return DamperSheet(tuple(dampers), used, remark, findings)
 
 
-def _texts(given: Sequence[str] | None, where: str, count: int) -> list[str]:
+def names_for(given: Sequence[str] | None, where: str, count: int) -> list[str]:
+    """Return the names given for dampers, or none; refuse fewer or more than there are dampers.
+
+    Raises
+    ------
+    DescriptionError
+        If there is not one for each damper.
+    """
     texts = list(given or ())
     if texts and len(texts) != count:
         raise DescriptionError(

@@ -286,9 +286,7 @@ def choose_clicks(  # noqa: PLR0913 - each is a choice of its own
     law, own_rig, path = (None, None, "")
     if not isinstance(target, WheelDamping):
         law, own_rig, path = law_and_rig(target, place)
-    into, source = _rig_and_text(
-        rig if rig is not None else target, own_rig if rig is None else None
-    )
+    into, source = _rig_and_text(rig, target, own_rig)
     if into is not None and rig is not None:
         path, _ = damper_in(into, place)
     wheel = wheel_of(into if into is not None else own_rig, given)
@@ -308,6 +306,11 @@ def choose_clicks(  # noqa: PLR0913 - each is a choice of its own
 
     findings: list[Finding] = [*_conditions(made)]
     ratio = None if wheel is None else wheel.motion_ratio
+    if corner and shares is None:
+        raise DescriptionError(
+            "there is no histogram with this corner", where="corner", found=corner,
+            hint="Give --shares with it.",
+        )  # fmt: skip
     counted = None if shares is None else shares_over(shares, corner, ratio)
     velocity, weight = _speeds(made, counted, findings)
     force = wanted(velocity)
@@ -333,11 +336,11 @@ def choose_clicks(  # noqa: PLR0913 - each is a choice of its own
     )  # fmt: skip
 
 
-def _rig_and_text(given: Any, own: Rig | None) -> tuple[Rig | None, str]:
-    """Return the rig into which the damper is written, and the text of its file."""
-    if isinstance(given, str | Path) and (own is not None or Path(given).suffix != ".json"):
-        return own or as_rig(given), rig_path(given).read_text(encoding="utf-8")
-    return (given if isinstance(given, Rig) else own), ""
+def _rig_and_text(rig: Any, target: Any, own: Rig | None) -> tuple[Rig | None, str]:
+    """Return the rig into which the damper is written, by default that of the target, and the text of its file."""
+    given = rig if rig is not None else target if own is not None else None
+    text = rig_path(given).read_text(encoding="utf-8") if isinstance(given, str | Path) else ""
+    return (as_rig(rig) if rig is not None else own), text
 
 
 def _conditions(made: DamperMap) -> Iterator[Finding]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Self, TypeAlias
@@ -12,7 +13,7 @@ from typing import Annotated, Any, Self, TypeAlias
 import numpy as np
 
 from jounce.core.columns import name_and_unit
-from jounce.core.errors import DescriptionError, RecordingError
+from jounce.core.errors import DescriptionError, JounceError, RecordingError
 from jounce.core.files import existing_file, reading
 from jounce.core.operation import File, MadeBy, Number
 from jounce.core.phrases import Phrase
@@ -23,6 +24,7 @@ from jounce.core.units import positive_si
 from jounce.design.lumping import lump
 from jounce.parts import Corner, QuarterCar, Rig, as_rig
 from jounce.parts.dampers import DamperLaw, MapDamper, SampledPoint, as_damper, damper_laws
+from jounce.parts.vehicles import FullCar3D, Vehicle
 from jounce.recordings.cells import cells_of_file, si_of_cell
 
 _BEYOND = 20.0  # m/s: further than any wheel moves
@@ -355,8 +357,14 @@ def damper_in(rig: Rig, place: str = "") -> tuple[str, DamperLaw]:
     Raises
     ------
     DescriptionError
-        If the rig has no damper law there, or several.
+        If the rig has no damper law there, or several, or its law acts at the wheel.
     """
+    if isinstance(rig, Vehicle) and not isinstance(rig, FullCar3D):
+        raise DescriptionError(
+            "the dampers of this vehicle act at the wheel, not at a damper", where="place",
+            found=type(rig).__name__, allowed="a quarter car, a corner or a 3-D car",
+            hint="Or state damping ratios with motion ratio, sprung mass and wheel rate.",
+        )  # fmt: skip
     laws = dict(damper_laws(rig))
     chosen = {path: law for path, law in laws.items() if path.startswith(place)}
     own = {path: law for path, law in chosen.items() if "third_spring" not in path}
@@ -409,12 +417,15 @@ def wheel_of(rig: Rig | None, given: Mapping[str, float | str | None]) -> Damped
         if spring is not None:
             own["wheel_rate"] = spring * ratio**2
     elif isinstance(rig, Corner) and any(value is None for value in given.values()):
-        lumping = lump(rig)
-        own = {
-            "motion_ratio": lumping.damper_ratio,
-            "sprung_mass": lumping.static_masses[0],
-            "wheel_rate": lumping.wheel_rate,
-        }
+        with suppress(
+            JounceError
+        ):  # without an equilibrium there are no ratios; forces are compared all the same
+            lumping = lump(rig)
+            own = {
+                "motion_ratio": lumping.damper_ratio,
+                "sprung_mass": lumping.static_masses[0],
+                "wheel_rate": lumping.wheel_rate,
+            }
     values: dict[str, Any] = own | {n: value for n, value in given.items() if value is not None}
     missing = [name for name in given if name not in values]
     if len(missing) == len(given):

@@ -34,6 +34,7 @@ def shares_over(
         If the table cannot be read, the corner is unknown, the motion ratio is missing, or shares are negative.
     """
     if isinstance(given, Mapping):
+        _refuse_corner(corner)
         velocity, share = np.array(sorted(given.items()), dtype=float).reshape(-1, 2).T
     elif hasattr(given, "measured_at"):
         velocity, share = _of_histogram(given, corner, motion_ratio)
@@ -70,6 +71,7 @@ def _of_histogram(given: Any, corner: str, motion_ratio: float | None) -> tuple[
 def _of_file(file: Path, corner: str) -> tuple[Array, Array]:
     header, *rows = cells_of_file(existing_file(file, RecordingError)) or [[]]
     if tuple(cell.strip().lower() for cell in header) != _HISTOGRAM:
+        _refuse_corner(corner)
         points = sorted(columns_of_table(file, {"velocity": "m/s", "share": "1"}))
         velocity, share = np.array(points).T
         return velocity, share
@@ -90,6 +92,13 @@ def _of_file(file: Path, corner: str) -> tuple[Array, Array]:
     velocity = np.unique([middle for name, middle in bins if name in names])
     share = np.mean([[bins.get((name, float(v)), 0.0) for v in velocity] for name in names], axis=0)
     return velocity, np.asarray(share)
+
+
+def _refuse_corner(corner: str) -> None:
+    if corner:
+        raise DescriptionError(
+            "shares over velocity have no corners", where="corner", found=corner, allowed="nothing"
+        )
 
 
 def _corners(known: list[str], corner: str) -> list[str]:

@@ -114,6 +114,8 @@ def test_clicks_of_one_damper_only_are_interpolated_or_left_out(tmp_path: Path):
     other.write_text(left.read_text().replace("clicks,velocity", "bump clicks,velocity"))
     with pytest.raises(DescriptionError, match="no clicks in common"):
         jn.compare_dampers(left, other)
+    with pytest.raises(DescriptionError, match="one for each damper"):
+        jn.compare_dampers(left, left, names=["left"])
     with pytest.raises(DescriptionError, match="a tolerance is required"):
         jn.compare_dampers(left, left, tolerance=0.0, tolerance_force=0.0)
 

@@ -187,10 +187,35 @@ def test_a_histogram_decides_which_speeds_count(tmp_path: Path):
     assert front.best.clicks == slow.best.clicks
     with pytest.raises(DescriptionError, match="several corners"):
         jn.choose_clicks(file, {"coefficient": 800.0}, shares=counted)
+    with pytest.raises(DescriptionError, match="no corners"):
+        jn.choose_clicks(file, {"coefficient": 800.0}, shares={0.1: 1.0}, corner="front")
+    with pytest.raises(DescriptionError, match="no histogram with this corner"):
+        jn.choose_clicks(file, {"coefficient": 800.0}, corner="front")
     with pytest.raises(DescriptionError, match="unknown corner"):
         jn.choose_clicks(file, {"coefficient": 800.0}, shares=counted, corner="middle")
     with pytest.raises(DescriptionError, match="no velocity of the histogram"):
         jn.choose_clicks(file, {"coefficient": 800.0}, shares={2.0: 1.0})
+
+
+def test_a_histogram_of_the_track_is_taken_as_it_is_at_damper_or_wheel(tmp_path: Path):
+    """A triangle of 80 mm/s spends its time at 80 mm/s in both directions."""
+    t = np.arange(0.0, 30.0, 2e-3)
+    travel = 0.02 * np.abs((t * 2.0) % 2.0 - 1.0)  # 40 mm/s
+    data = jn.recording(t, {"front_left.damper.travel": (2.0 * travel, "m", "")})
+    counted = jn.damper_histograms(data, measured_at="damper")
+    file = write(tmp_path, lambda c, v: (1200.0 - 50.0 * c) * v, [(c,) for c in (0, 5, 10)])
+    chosen = jn.choose_clicks(file, {"coefficient": 900.0}, shares=counted)
+    usual = float(np.abs(chosen.velocity) @ chosen.weight)
+    assert usual == pytest.approx(0.08, rel=0.1)
+    (tmp_path / "histograms.csv").write_text(counted.table(), encoding="utf-8")
+    read = jn.choose_clicks(file, {"coefficient": 900.0}, shares=tmp_path / "histograms.csv")
+    assert read.velocity == pytest.approx(chosen.velocity)
+    assert read.weight == pytest.approx(chosen.weight)
+    at_wheel = jn.damper_histograms(data, measured_at="wheel")
+    with pytest.raises(DescriptionError, match="needs the motion ratio"):
+        jn.choose_clicks(file, {"coefficient": 900.0}, shares=at_wheel)
+    slower = jn.choose_clicks(file, {"coefficient": 900.0}, shares=at_wheel, **WHEEL)
+    assert np.abs(slower.velocity) @ slower.weight == pytest.approx(0.9 * usual, rel=0.02)
 
 
 def test_targets_out_of_reach_are_said_with_where_and_how_much(tmp_path: Path):
@@ -289,6 +314,10 @@ def test_wrong_calls_are_refused(tmp_path: Path):
         jn.choose_clicks(file, 3.0)
     with pytest.raises(DescriptionError, match="several dampers"):
         jn.choose_clicks(file, "formula-student-car")
+    with pytest.raises(DescriptionError, match="act at the wheel"):
+        jn.choose_clicks(file, target, rig="audi-a6-full-car")
+    with pytest.raises(DescriptionError, match="no such file"):
+        jn.choose_clicks(file, target, rig="no.json")
     with pytest.raises(DescriptionError, match="unknown comparison"):
         jn.choose_clicks(file, target, compare="energy", **WHEEL)
     with pytest.raises(DescriptionError, match="no velocity in common"):
