@@ -22,6 +22,8 @@ export interface PlotPane {
   title: string;
   unit: string;
   lines: Line[];
+  /** Filled ranges between two of the lines, by their numbers. */
+  bands?: { low: number; high: number; role: string }[];
 }
 export interface Plotted {
   x: Numbers;
@@ -330,6 +332,13 @@ export class LinkedPlots {
                 };
               }),
             ],
+            bands: (pane.bands ?? []).map(({ low, high, role }) => ({
+              series: [
+                seriesOf(pane.lines, pane.lines[high]!),
+                seriesOf(pane.lines, pane.lines[low]!),
+              ],
+              fill: `color-mix(in srgb, ${colour(role)} 20%, transparent)`,
+            })),
             hooks: {
               drawClear: [
                 (u) => {

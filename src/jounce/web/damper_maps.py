@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,16 +20,20 @@ _MOST = 120
 
 
 def write_map(asked: Mapping[str, Any], folder: Path) -> dict[str, Any]:
-    """Map the damper of a question; its page is written into the folder, as that of a command is."""
+    """Map the damper of a question; its page is written into the folder, without the figure, which the page draws."""
     from jounce.dampers.map import damper_map
-    from jounce.report import REPORTS, write_report
     from jounce.report.dampers import damper_map_page
+    from jounce.report.page import Picture
+    from jounce.report.render import REPORTS
 
     names = ("settings", "reading", "stroke_positive", "force_positive")
-    given = {name: asked[name] for name in names if asked.get(name)}
-    made = damper_map([asked["folder"]], **given)
-    page = damper_map_page(made, title=f"Damper map of {asked['folder']}", has_figure=False)
-    write_report(page, folder / "report.html")
+    given = {name: asked[name] for name in names if asked[name]}
+    made = damper_map(asked["files"], **given)
+    page = damper_map_page(made, title="Damper map")
+    (answer,) = page.sections
+    blocks = tuple(block for block in answer.blocks if not isinstance(block, Picture))
+    answer = replace(answer, source=blocks)
+    REPORTS.write(replace(page, sections=(answer,)), folder / "report.html")
     return {"curves": map_curves(made), "findings": made.findings}
 
 
@@ -56,9 +61,7 @@ def map_curves(made: DamperMap) -> dict[str, Any]:
         "velocity_unit": speed.name,
         "force_unit": force.name,
         "settings": [{"label": setting_words(item), **curve(item)} for item in made.settings],
-        "between": [
-            {"clicks": clicks, **curve(made.at(clicks))} for clicks in _grid(made.clicks)
-        ],
+        "between": [{"clicks": clicks, **curve(made.at(clicks))} for clicks in _grid(made.clicks)],
     }
 
 

@@ -48,6 +48,10 @@ def answer(question: Mapping[str, Any], folder: Path) -> int:
             from jounce.web.studies import swept
 
             reply = swept(Project(question["root"]), question["folder"])
+        elif question["kind"] == "damper-map":
+            from jounce.web.damper_maps import write_map
+
+            reply = write_map(question, folder)
         elif question["kind"] == "preview-files":
             reply = preview_all(question)
         else:

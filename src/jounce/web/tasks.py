@@ -480,10 +480,36 @@ class PreviewFilesTask(_Task):
                      question=self.model_dump())  # fmt: skip
 
 
+class DamperMapTask(_Task):
+    """The map of a damper from the records of a folder: curves of each setting and between clicks, and its page."""
+
+    kind: Literal["damper-map"]
+    files: Annotated[list[Text], Field(min_length=1, max_length=500)]
+    settings: Text = ""
+    reading: Literal["", "peak", "continuous"] = ""
+    stroke_positive: Literal["", "compression", "extension"] = ""
+    force_positive: Literal["", "compression", "tension"] = ""
+
+    def _spec(self, project: Project) -> JobSpec:
+        given = self.model_dump(exclude={"kind", "files"}) | {
+            "measured": [_place(project, path) for path in self.files],
+            "settings": self.settings and _file(project, self.settings),
+        }
+        request = _request("damper map", given)
+        return JobSpec(
+            f"Damper map of {', '.join(self.files[:3])}",
+            [],
+            python=request.python(),
+            limits=LIMITS,
+            question=self.model_dump(),
+            command=command_line(["jounce", *request.words()]),
+        )
+
+
 AnyTask = (
     SweepTask | CampaignTask | DesignTask | CompareTask | OverlayTask | ParetoTask | EvaluateTask | HistoryTask
     | ProtocolTask | SearchTask | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
-    | PreviewFilesTask
+    | PreviewFilesTask | DamperMapTask
 )  # fmt: skip
 Asked = Annotated[AnyTask, Field(discriminator="kind")]
 _READ: TypeAdapter[AnyTask] = TypeAdapter(Asked)
@@ -532,6 +558,13 @@ def _folder(project: Project, path: str) -> str:
     if folder.is_file():
         raise DescriptionError("a file, not a folder", where=path, hint="Choose another name.")
     return _plain(path)
+
+
+def _place(project: Project, path: str) -> str:
+    """Return a file or folder of the project; the project itself is ``.``."""
+    if path == ".":
+        return path
+    return _plain(path) if project.inside(path).is_dir() else _file(project, path)
 
 
 def _plain(path: str) -> str:

@@ -19,6 +19,7 @@ const PAGES: Record<string, Page> = {
   trial: { label: "Trial", load: () => import("./pages/trial") },
   kinematics: { label: "Kinematics", load: () => import("./pages/kinematics") },
   kc: { label: "K&C", load: () => import("./pages/kc") },
+  dampers: { label: "Dampers", load: () => import("./pages/dampers") },
   record: { label: "Records", load: () => import("./pages/record") },
   data: { label: "Data", load: () => import("./pages/data") },
   campaign: { label: "Campaign", load: () => import("./pages/campaign") },

@@ -134,7 +134,7 @@ export async function reported(address: string, findings: Finding[]): Promise<HT
   };
   const banner = source.querySelector(".banner");
   if (banner) place.append(copy.of(banner) ?? "");
-  place.append(make("nav", { "aria-label": "Contents" }, contents));
+  if (sections.length > 1) place.append(make("nav", { "aria-label": "Contents" }, contents));
   sections.forEach((section, k) => {
     const own = copy.of(section) as HTMLElement,
       heading = own.querySelector("h2")!,
