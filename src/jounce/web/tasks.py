@@ -506,10 +506,71 @@ class DamperMapTask(_Task):
         )
 
 
+class DamperClicksTask(_Task):
+    """The clicks with which a damper comes closest to a target: a rig's damper, or damping ratios at the wheel."""
+
+    kind: Literal["damper-clicks"]
+    damper_map: Text
+    target: Text = ""
+    bump: Text = ""
+    rebound: Text = ""
+    knee: Text = ""
+    motion_ratio: Text = ""
+    sprung_mass: Text = ""
+    wheel_rate: Text = ""
+
+    def _spec(self, project: Project) -> JobSpec:
+        given = self.model_dump(exclude={"kind"}) | {
+            "damper_map": _place(project, self.damper_map),
+            "target": self.target and _file(project, self.target),
+        }
+        request = _request("damper clicks", given)
+        return JobSpec(
+            f"Clicks of {self.damper_map}",
+            request.words(),
+            _REPORT,
+            request.python(),
+            limits=LIMITS,
+        )
+
+
+class DamperCompareTask(_Task):
+    """Two dampers of an axle, force by force, against a tolerance."""
+
+    kind: Literal["damper-compare"]
+    first: Text
+    second: Text
+    tolerance: Text = ""
+    tolerance_force: Text = ""
+
+    def _spec(self, project: Project) -> JobSpec:
+        given = self.model_dump(exclude={"kind"}) | {
+            "first": _place(project, self.first),
+            "second": _place(project, self.second),
+        }
+        request = _request("damper compare", given)
+        title = f"Comparison of {self.first} and {self.second}"
+        return JobSpec(title, request.words(), _REPORT, request.python(), limits=LIMITS)
+
+
+class DamperSheetTask(_Task):
+    """The sheet of a damper, or of a set beside each other."""
+
+    kind: Literal["damper-sheet"]
+    maps: Annotated[list[Text], Field(min_length=1, max_length=8)]
+    remark: Text = ""
+
+    def _spec(self, project: Project) -> JobSpec:
+        maps = [_place(project, path) for path in self.maps]
+        request = _request("damper sheet", {"maps": maps, "remark": self.remark})
+        title = f"Sheet of {', '.join(self.maps)}"
+        return JobSpec(title, request.words(), _REPORT, request.python(), limits=LIMITS)
+
+
 AnyTask = (
     SweepTask | CampaignTask | DesignTask | CompareTask | OverlayTask | ParetoTask | EvaluateTask | HistoryTask
     | ProtocolTask | SearchTask | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
-    | PreviewFilesTask | DamperMapTask
+    | PreviewFilesTask | DamperMapTask | DamperClicksTask | DamperCompareTask | DamperSheetTask
 )  # fmt: skip
 Asked = Annotated[AnyTask, Field(discriminator="kind")]
 _READ: TypeAdapter[AnyTask] = TypeAdapter(Asked)

@@ -5,13 +5,13 @@ import { make, whenColoursChange, written } from "../../page";
 import { LinkedPlots, type PlotPane } from "../../plots";
 import { localised, tr } from "../../words";
 import * as api from "../api";
-import { dropZone, Question, type Reply } from "../jobs";
+import { dropZone, Question, type Reply, report } from "../jobs";
 import { numberBox } from "../numberbox";
-import { field, optional, problem, select, snippets } from "../parts";
+import { field, optional, problem, select, snippets, textBox } from "../parts";
 import type { Finding } from "../refusals";
 import { reported } from "../reported";
 import { saveChart } from "../saving";
-import { address, type Values } from "../shell";
+import { address, type Values, VEHICLES } from "../shell";
 import { table } from "../table";
 
 interface Curve {
@@ -54,7 +54,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     ),
     settings = optional(
       "from channels and file names",
-      records.filter((path) => /\.(csv|tsv|txt|xlsx)$/i.test(path)),
+      records.filter((path) => TABLES.test(path)),
     ),
     reading = optional("what the records allow", Object.keys(READINGS)),
     stroke = optional("found from the gas force", ["compression", "extension"]),
@@ -122,6 +122,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     none,
     form,
     question.place,
+    ...uses(
+      [...folders, ...records.filter((path) => TABLES.test(path))],
+      entries.filter(({ kind }) => VEHICLES.includes(kind)).map(({ path }) => path),
+    ),
     make("h2", {}, tr("New records")),
     dropZone(
       () => "dyno",
@@ -131,6 +135,104 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   );
   if (wanted) await question.ask();
 }
+
+const TABLES = /\.(csv|tsv|txt|xlsx)$/i;
+
+/** What a map is used for: clicks for a target, two dampers compared, and their sheet. `maps` are folders and tables. */
+function uses(maps: string[], rigs: string[]): HTMLElement[] {
+  const target = optional("damping ratios at the wheel", rigs),
+    ofClicks = select(maps),
+    boxes = {
+      bump: textBox("", "70 %"),
+      rebound: textBox("", "70 %"),
+      knee: textBox("", "0.1 m/s"),
+      motion_ratio: textBox("", "0.8"),
+      sprung_mass: textBox("", "65 kg"),
+      wheel_rate: textBox("", "20 N/mm"),
+    };
+  const ratios = make(
+    "span",
+    { class: "sizes" },
+    field(tr("Damping ratio in bump"), boxes.bump),
+    field(tr("Damping ratio in rebound"), boxes.rebound),
+    field(tr("Knee, wheel speed"), boxes.knee),
+    field(tr("Motion ratio"), boxes.motion_ratio),
+    field(tr("Sprung mass on the wheel"), boxes.sprung_mass),
+    field(tr("Wheel rate"), boxes.wheel_rate),
+  );
+  target.addEventListener("change", () => {
+    ratios.hidden = target.value !== "";
+  });
+  const clicks = asking(tr("Choose the clicks"), tr("Clicks for a target"), () => ({
+    kind: "damper-clicks",
+    damper_map: ofClicks.value,
+    target: target.value,
+    ...(target.value
+      ? {}
+      : Object.fromEntries(Object.entries(boxes).map(([name, box]) => [name, box.value.trim()]))),
+  }));
+  const first = select(maps),
+    second = select(maps, maps[1]),
+    tolerance = textBox("", "5 %"),
+    force = textBox("", "20 N");
+  const compared = asking(tr("Compare"), tr("Two dampers compared"), () => ({
+    kind: "damper-compare",
+    first: first.value,
+    second: second.value,
+    tolerance: tolerance.value.trim(),
+    tolerance_force: force.value.trim(),
+  }));
+  const one = select(maps),
+    other = optional("none", maps),
+    remark = textBox();
+  const sheet = asking(tr("Make the sheet"), tr("Sheet of the damper"), () => ({
+    kind: "damper-sheet",
+    maps: [one.value, ...(other.value ? [other.value] : [])],
+    remark: remark.value.trim(),
+  }));
+  const folded = (title: string, about: string, question: Question<unknown>, ...form: Node[]) =>
+    make(
+      "details",
+      { hidden: !maps.length },
+      make("summary", {}, title),
+      make("p", { class: "muted" }, about),
+      make("div", { class: "form" }, ...form, question.button),
+      question.place,
+    );
+  return [
+    folded(
+      tr("Clicks for a target"),
+      tr(
+        "The whole clicks with which the damper comes closest to a target, and what is left over.",
+      ),
+      clicks,
+      field(tr("Damper map"), ofClicks),
+      field(tr("Target"), target),
+      ratios,
+    ),
+    folded(
+      tr("Two dampers compared"),
+      tr("Force by force, against a tolerance; the intervals of both count."),
+      compared,
+      field(tr("Damper map"), first),
+      field(tr("Other damper"), second),
+      field(tr("Tolerance, of the force"), tolerance),
+      field(tr("Tolerance beside it"), force),
+    ),
+    folded(
+      tr("Sheet of the damper"),
+      tr("As makers print it; two dampers of an axle stand beside each other."),
+      sheet,
+      field(tr("Damper map"), one),
+      field(tr("Other damper"), other),
+      field(tr("Remark"), remark),
+    ),
+  ];
+}
+
+/** A question whose answer is a report. */
+const asking = (label: string, title: string, task: () => object): Question<unknown> =>
+  new Question<unknown>(label, task, (reply) => [report(reply.report, title), snippets(reply)]);
 
 const folderOf = (path: string) =>
   path.includes("/") ? path.slice(0, path.lastIndexOf("/")) : ".";
