@@ -98,6 +98,43 @@ def test_files_outside_the_project_or_missing_are_refused(
         spec_of(task_of(task), Project(tmp_path))
 
 
+@pytest.mark.parametrize(
+    ("task", "command"),
+    [
+        (
+            {"kind": "damper-map", "files": ["dyno"], "reading": "peak"},
+            "jounce damper map dyno --reading=peak",
+        ),
+        (
+            {"kind": "damper-clicks", "damper_map": "dyno", "target": "rig.toml"},
+            "jounce damper clicks dyno --target=rig.toml",
+        ),
+        (
+            {"kind": "damper-compare", "first": "dyno", "second": "lap.csv", "tolerance": "5 %"},
+            "jounce damper compare dyno lap.csv '--tolerance=5 %'",
+        ),
+        (
+            {"kind": "damper-sheet", "maps": ["dyno", "lap.csv"]},
+            "jounce damper sheet dyno lap.csv",
+        ),
+        (
+            {"kind": "damper-histogram", "records": ["lap.csv"], "by": "sectors"},
+            "jounce damper histogram lap.csv --by=sectors",
+        ),
+    ],
+)
+def test_a_form_is_a_command(tmp_path: Path, task: dict[str, Any], command: str) -> None:
+    from jounce.core.commands import command_line
+    from jounce.web.project import Project
+    from jounce.web.tasks import spec_of, task_of
+
+    (tmp_path / "dyno").mkdir()
+    for name in ("rig.toml", "lap.csv"):
+        (tmp_path / name).touch()
+    spec = spec_of(task_of(task), Project(tmp_path))
+    assert (spec.command or command_line(["jounce", *spec.words])) == command
+
+
 @pytest.mark.pages
 def test_a_folder_becomes_a_map_with_a_curve_between_clicks(
     browser: Any, workbench: tuple[Path, int]
@@ -134,6 +171,7 @@ def test_a_folder_becomes_a_map_with_a_curve_between_clicks(
     assert "4 clicks" in text
     assert len(list(csv.reader(io.StringIO(text)))) > 6
     page.get_by_text("Two dampers compared").click()
+    page.get_by_label("Other damper").first.select_option("dyno")
     page.get_by_role("button", name="Compare", exact=True).click()
     page.frame_locator("iframe").get_by_text("within").first.wait_for()
     page.evaluate(f"(() => {{ {AXE.read_text()} }})()")

@@ -553,6 +553,26 @@ class DamperCompareTask(_Task):
         return JobSpec(title, request.words(), _REPORT, request.python(), limits=LIMITS)
 
 
+class DamperHistogramTask(_Task):
+    """Histograms of travel and velocity of dampers from records of the track, beside a run of the model if given."""
+
+    kind: Literal["damper-histogram"]
+    records: Annotated[list[Text], Field(min_length=1, max_length=6)]
+    beside: Text = ""
+    by: Literal["", "laps", "sectors", "whole"] = ""
+    low_speed: Text = ""
+    stroke: Text = ""
+
+    def _spec(self, project: Project) -> JobSpec:
+        given = self.model_dump(exclude={"kind"}) | {
+            "records": [_file(project, path) for path in self.records],
+            "beside": self.beside and _file(project, self.beside),
+        }
+        request = _request("damper histogram", given)
+        title = f"Histograms of {', '.join(self.records)}"
+        return JobSpec(title, request.words(), _REPORT, request.python(), limits=LIMITS)
+
+
 class DamperSheetTask(_Task):
     """The sheet of a damper, or of a set beside each other."""
 
@@ -570,7 +590,8 @@ class DamperSheetTask(_Task):
 AnyTask = (
     SweepTask | CampaignTask | DesignTask | CompareTask | OverlayTask | ParetoTask | EvaluateTask | HistoryTask
     | ProtocolTask | SearchTask | NewCampaignTask | TestTask | StiffnessTask | DecayTask | PreviewTask
-    | PreviewFilesTask | DamperMapTask | DamperClicksTask | DamperCompareTask | DamperSheetTask
+    | PreviewFilesTask | DamperMapTask | DamperClicksTask | DamperCompareTask | DamperHistogramTask
+    | DamperSheetTask
 )  # fmt: skip
 Asked = Annotated[AnyTask, Field(discriminator="kind")]
 _READ: TypeAdapter[AnyTask] = TypeAdapter(Asked)

@@ -3,7 +3,7 @@
 import type { Numbers } from "../../data";
 import { make, whenColoursChange, written } from "../../page";
 import { LinkedPlots, type PlotPane } from "../../plots";
-import { localised, tr } from "../../words";
+import { heard, localised, tr } from "../../words";
 import * as api from "../api";
 import { dropZone, Question, type Reply, report } from "../jobs";
 import { numberBox } from "../numberbox";
@@ -123,7 +123,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     form,
     question.place,
     ...uses(
-      [...folders, ...records.filter((path) => TABLES.test(path))],
+      records,
       entries.filter(({ kind }) => VEHICLES.includes(kind)).map(({ path }) => path),
     ),
     make("h2", {}, tr("New records")),
@@ -138,8 +138,9 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
 
 const TABLES = /\.(csv|tsv|txt|xlsx)$/i;
 
-/** What a map is used for: clicks for a target, two dampers compared, and their sheet. `maps` are folders and tables. */
-function uses(maps: string[], rigs: string[]): HTMLElement[] {
+/** What follows a map: clicks for a target, two dampers compared, their sheet; and histograms from the track. */
+function uses(records: string[], rigs: string[]): HTMLElement[] {
+  const maps = [...new Set(records.map(folderOf)), ...records.filter((path) => TABLES.test(path))];
   const target = optional("damping ratios at the wheel", rigs),
     ofClicks = select(maps),
     boxes = {
@@ -172,7 +173,10 @@ function uses(maps: string[], rigs: string[]): HTMLElement[] {
       : Object.fromEntries(Object.entries(boxes).map(([name, box]) => [name, box.value.trim()]))),
   }));
   const first = select(maps),
-    second = select(maps, maps[1]),
+    second = select(
+      maps,
+      maps.find((path) => path !== maps[0] && !TABLES.test(path)),
+    ),
     tolerance = textBox("", "5 %"),
     force = textBox("", "20 N");
   const compared = asking(tr("Compare"), tr("Two dampers compared"), () => ({
@@ -190,10 +194,23 @@ function uses(maps: string[], rigs: string[]): HTMLElement[] {
     maps: [one.value, ...(other.value ? [other.value] : [])],
     remark: remark.value.trim(),
   }));
+  const track = select(records),
+    model = optional("none", records),
+    division = select(Object.keys(DIVISIONS), "laps", (name) => tr(DIVISIONS[name]!)),
+    low = textBox("", "25 mm/s"),
+    stroke = textBox("", "75 mm");
+  const histograms = asking(tr("Draw the histograms"), tr("Histograms from the track"), () => ({
+    kind: "damper-histogram",
+    records: [track.value],
+    beside: model.value,
+    by: division.value,
+    low_speed: low.value.trim(),
+    stroke: stroke.value.trim(),
+  }));
   const folded = (title: string, about: string, question: Question<unknown>, ...form: Node[]) =>
     make(
       "details",
-      { hidden: !maps.length },
+      { class: "uses", hidden: !maps.length },
       make("summary", {}, title),
       make("p", { class: "muted" }, about),
       make("div", { class: "form" }, ...form, question.button),
@@ -227,8 +244,24 @@ function uses(maps: string[], rigs: string[]): HTMLElement[] {
       field(tr("Other damper"), other),
       field(tr("Remark"), remark),
     ),
+    folded(
+      tr("Histograms from the track"),
+      tr("Shares of time over travel and velocity, at low and high speed, for each corner."),
+      histograms,
+      field(tr("Record from the track"), track),
+      field(tr("Model on the same road"), model),
+      field(tr("Also show"), division),
+      field(tr("Low speed up to"), low),
+      field(tr("Stroke of the damper"), stroke),
+    ),
   ];
 }
+
+const DIVISIONS: Record<string, string> = {
+  laps: "laps",
+  sectors: "sectors",
+  whole: "only the whole record",
+};
 
 /** A question whose answer is a report. */
 const asking = (label: string, title: string, task: () => object): Question<unknown> =>
@@ -361,7 +394,7 @@ class Curves {
       ...(dash ? { dash } : {}),
     });
     const lines = data.settings.map(({ label, force }, k) =>
-      line(label, ROLES[k % ROLES.length]!, force),
+      line(heard(label), ROLES[k % ROLES.length]!, force),
     );
     const own = chosen ?? (data.settings.length === 1 ? data.settings[0]! : null),
       bands: PlotPane["bands"] = [];
