@@ -33,6 +33,7 @@ SUBJECTS = {
     "variants": "Many runs",
     "identify": "Identification and updating",
     "dampers": "Maps of dampers",
+    "springs": "Maps of springs and bump stops",
     "campaign": "Bench campaigns",
     "analysis": "Analysis of records",
     "bench": "The bench",

@@ -293,6 +293,11 @@ from .simulation import simulate_mechanism as simulate_mechanism
 from .simulation.controlled import closed_loop_poles as closed_loop_poles
 from .simulation.corner_models import corner_models as corner_models
 from .simulation.environment import ride_environment as ride_environment
+from .springs.curves import PressCurve as PressCurve
+from .springs.files import PressFile as PressFile
+from .springs.files import read_press_files as read_press_files
+from .springs.map import SpringMap as SpringMap
+from .springs.map import spring_map as spring_map
 from .testers.plate_response import steady_response as steady_response
 from .testers.testing import simulate_test as simulate_test
 from .variants.designs import grid as grid

@@ -25,6 +25,7 @@ from jounce.cli import (
     importing,
     inspection,
     pictures,
+    spring,
     study,
 )
 from jounce.cli.added import ADDED
@@ -76,6 +77,7 @@ def _panels() -> dict[str, dict[str, Any]]:
             "analyse": analysis.app,
             "fit": fit.app,
             "damper": damper.app,
+            "spring": spring.app,
             "campaign": campaign.app,
             "inspect": inspection.app,
             "study": study.app,

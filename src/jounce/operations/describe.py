@@ -76,6 +76,7 @@ MODULES = (
     "jounce.ride.modal",
     "jounce.roughness.iri",
     "jounce.simulation.trial_run",
+    "jounce.springs.map",
     "jounce.variants.limits",
     "jounce.variants.sweeping",
 )

@@ -23,6 +23,7 @@ from jounce.plots import (
     kinematics,
     signals,
     speed_limits,
+    springs,
     variants,
 )
 from jounce.plots.figures import write_figure
@@ -151,6 +152,7 @@ def _register() -> Callable[..., Figure]:
     from jounce.roughness.iri import ProfileRoughness
     from jounce.simulation import LinearModel, Mode
     from jounce.simulation.trial_run import TrialRun
+    from jounce.springs.map import SpringMap
     from jounce.variants.limits import SpeedLimits
 
     @singledispatch
@@ -228,6 +230,7 @@ def _register() -> Callable[..., Figure]:
     draw.register(ChosenClicks, dampers.chosen_clicks)
     draw.register(SpeedLimits, speed_limits.speed_limit_curves)
     draw.register(DamperHistograms, damper_histograms.damper_histogram_bars)
+    draw.register(SpringMap, springs.spring_map_curves)
     draw.register(
         MeasuredDamper, lambda result, **options: of_damper(result.curve, result.fit.law, **options)
     )

@@ -83,6 +83,7 @@ BASES = {
     "damper sheet": "damper sheet sheet.csv",
     "damper compare": "damper compare sheet.csv sheet.csv",
     "damper clicks": "damper clicks sheet.csv --target kart-quarter-car",
+    "spring map": "spring map spring.csv",
     "fit calibration": "fit calibration tilt.csv",
     "bench speed": 'bench speed --inverter-frequency "24.6 Hz" --cylinder-radius "50 mm"',
     "bench drive": 'bench drive --speed "3.87 m/s" --cylinder-radius "50 mm"',

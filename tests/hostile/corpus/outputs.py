@@ -56,6 +56,7 @@ USES = {
     "campaign models": "campaign models c/campaign.toml",
     "sweep": "sweep sweep.toml --out swept",
     "fit stiffness --out": "fit stiffness spring.csv --rig kart-quarter-car",
+    "spring map --out": "spring map spring.csv --rig kart-quarter-car",
 }
 """Right uses that need a file or a rig of their own, some of them for one option."""
 
@@ -147,6 +148,7 @@ def suffixes(name: str, option: str) -> tuple[str, ...]:
                     "import mjcf",
                     "fit hardpoints",
                     "fit stiffness",
+                    "spring map",
                     "design springs",
                     "design optimise",
                 )

@@ -1,0 +1,1 @@
+"""Springs and bump stops from a press: force over deflection with intervals, and the law for a rig."""
