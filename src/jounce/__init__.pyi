@@ -67,6 +67,7 @@ from .dampers.compared import ComparedForce as ComparedForce
 from .dampers.compared import DamperComparison as DamperComparison
 from .dampers.compared import compare_dampers as compare_dampers
 from .dampers.curves import DamperSetting as DamperSetting
+from .dampers.exports import PeakTable as PeakTable
 from .dampers.files import UnreadFile as UnreadFile
 from .dampers.histograms import DamperHistograms as DamperHistograms
 from .dampers.histograms import damper_histograms as damper_histograms

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
@@ -17,6 +18,8 @@ from jounce.core.phrases import Phrase
 from jounce.core.shown import Shown
 from jounce.core.units import to_si
 from jounce.dampers.adjusters import is_clicks
+from jounce.dampers.exports import PeakTable, read_export
+from jounce.recordings.carried import damper_channels
 from jounce.recordings.cells import cells_of_file
 from jounce.recordings.options import (
     COLUMNS,
@@ -65,9 +68,9 @@ class UnreadFile(Shown):
     error: JounceError
 
 
-DynoFile: TypeAlias = RecordFile | UnreadFile
+DynoFile: TypeAlias = RecordFile | PeakTable | UnreadFile
 AnyDynoFiles: TypeAlias = Annotated[
-    Sequence[RecordFile | UnreadFile | str | Path],
+    Sequence[RecordFile | PeakTable | UnreadFile | str | Path],
     MadeBy("jounce.dampers.files:chosen_dyno_files", "jounce.dampers.files:dyno_files_in_python"),
 ]
 """Records of a damper rig: files and folders; commands ask for the options to read them, too."""
@@ -89,7 +92,7 @@ def chosen_dyno_files(
         "sample_time": sample_time,
         "sensors": sensors,
     }
-    return [_read(path, **options) for path in dyno_paths(measured)]
+    return [item for path in dyno_paths(measured) for item in _read(path, **options)]
 
 
 def dyno_files_in_python(measured: Sequence[str], **options: Any) -> str:
@@ -131,24 +134,30 @@ def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:
 
 
 def as_dyno_files(
-    measured: Sequence[RecordFile | UnreadFile | str | Path] | str | Path,
+    measured: Sequence[RecordFile | PeakTable | UnreadFile | str | Path] | str | Path,
 ) -> list[DynoFile]:
     """Read what is given by its path; leave what has been read."""
     given = [measured] if isinstance(measured, str | Path) else list(measured)
     files: list[DynoFile] = []
     for item in given:
-        if isinstance(item, RecordFile | UnreadFile):
+        if isinstance(item, RecordFile | PeakTable | UnreadFile):
             files.append(item)
         else:
-            files += [_read(path) for path in dyno_paths([item])]
+            files += [read for path in dyno_paths([item]) for read in _read(path)]
     return files
 
 
-def _read(path: Path, **options: Any) -> DynoFile:
+def _read(path: Path, **options: Any) -> Sequence[DynoFile]:
+    """Read a file by the names of its channels, else as a dyno's export."""
     try:
-        return chosen_file(str(path), **options)
+        record = chosen_file(str(path), **options)
+        damper_channels(record.data, where=str(path))
     except JounceError as error:
-        return UnreadFile(path, error)
+        try:
+            return read_export(path, sample_time=options.get("sample_time"))
+        except JounceError as reason:
+            return [UnreadFile(path, error if options.get("columns") else reason)]
+    return [record]
 
 
 def settings_in_name(name: str) -> dict[str, float]:
@@ -178,21 +187,76 @@ def settings_in_name(name: str) -> dict[str, float]:
     return values if "clicks" in values else {**of_sides, **values}
 
 
+Settings: TypeAlias = tuple[tuple[str, float], ...]
+"""Settings (SI) by name, in order."""
+
+
+def common_settings(stated: Sequence[Mapping[str, float]]) -> list[Settings]:
+    """Return the settings with measured conditions made equal: a damper warms up from run to run.
+
+    Temperatures with less than 5 K between neighbours are one, their mean, if all else is equal; gas pressures likewise
+    with 5 %.
+
+    >>> common_settings([{"clicks": 1.0, "temperature": t} for t in (301.0, 304.0, 320.0)])[:2]
+    [(('clicks', 1.0), ('temperature', 302.5)), (('clicks', 1.0), ('temperature', 302.5))]
+    """
+    common = [dict(settings) for settings in stated]
+    for name, (apart, share) in _MEASURED.items():
+        groups: dict[Settings, list[dict[str, float]]] = {}
+        for settings in common:
+            if name in settings:
+                others = {key: value for key, value in settings.items() if key not in _MEASURED}
+                groups.setdefault(tuple(sorted(others.items())), []).append(settings)
+        for group in groups.values():
+            group.sort(key=lambda settings: settings[name])
+            values = [settings[name] for settings in group]
+            gaps = [high - low - apart - share * low for low, high in pairwise(values)]
+            starts = [0, *(k for k, gap in enumerate(gaps, 1) if gap >= 0.0)]
+            for start, end in zip(starts, [*starts[1:], len(values)], strict=True):
+                for settings in group[start:end]:
+                    settings[name] = sum(values[start:end]) / (end - start)
+    return [tuple(sorted(settings.items())) for settings in common]
+
+
+_MEASURED = {"temperature": (5.0, 0.0), "gas_pressure": (0.0, 0.05)}
+"""What sensors measure: by how much neighbours differ that are one, in SI and as a share."""
+
+
 def settings_of(
-    file: RecordFile, table: Mapping[str, Mapping[str, float]]
+    file: RecordFile | PeakTable, table: Mapping[str, Mapping[str, float]]
 ) -> tuple[dict[str, float], list[Finding]]:
     """Return the settings of a record (SI): from the table, else from its channels, else from its name."""
     name = Path(file.path).name
-    stated = table.get(name) or table.get(Path(name).stem)
+    own = name.partition(" (")[0]  # a part of a file
+    stated = next((table[key] for key in (name, own, Path(own).stem) if key in table), None)
     if stated is not None:
         return dict(stated), []
-    values = settings_in_name(name)
-    adjusters = {str(name): "1" for name in file.data.data_vars if is_clicks(str(name))}
-    for setting, unit in {**SETTINGS, **adjusters}.items():
-        if setting in file.data and str(file.data[setting].attrs.get("units", "")) == unit:
-            samples: Array = file.data[setting].to_numpy()
-            values[setting] = float(samples.mean())
-    findings = [finding("dampers.not_in_table", name)] if table else []
+    values, findings = settings_in_name(name), list[Finding]()
+    conditions = (
+        file.settings if isinstance(file, PeakTable) else file.data.attrs.get("conditions", {})
+    )
+    for setting, value in conditions.items():
+        if values.get(setting, value) != value and setting not in _MEASURED:
+            outside = values[setting]
+            findings.append(
+                finding(
+                    "dampers.name_differs",
+                    name,
+                    value,
+                    setting=setting,
+                    inside=value,
+                    outside=outside,
+                )
+            )
+        values[setting] = value
+    if isinstance(file, RecordFile):
+        adjusters = {str(name): "1" for name in file.data.data_vars if is_clicks(str(name))}
+        for setting, unit in {**SETTINGS, **adjusters}.items():
+            if setting in file.data and str(file.data[setting].attrs.get("units", "")) == unit:
+                samples: Array = file.data[setting].to_numpy()
+                values[setting] = float(samples.mean())
+    if table:
+        findings.append(finding("dampers.not_in_table", name))
     return values, findings
 
 

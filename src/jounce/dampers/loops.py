@@ -63,8 +63,8 @@ def error_of(values: Array) -> Array:
 def cycle_numbers(displacement: Array) -> NDArray[np.int64]:
     """Number the cycles of a stroke; -1 before the first whole one and after the last.
 
-    A cycle begins where the stroke passes its middle upwards. A record without two such passes is one of parts of equal
-    length.
+    A cycle begins where the stroke passes its middle upwards. Without two such passes, a record that ends where it
+    began is one cycle, and any other is divided into parts of equal length.
 
     >>> cycle_numbers(np.sin(np.linspace(0.0, 6.0 * np.pi, 601)))[[5, 150, 350, 590]].tolist()
     [-1, -1, 0, -1]
@@ -74,11 +74,29 @@ def cycle_numbers(displacement: Array) -> NDArray[np.int64]:
     signs = np.sign(side[clear])
     starts = clear[1:][(signs[1:] > 0.0) & (signs[:-1] < 0.0)]
     count = len(displacement)
+    if len(starts) < 2 and is_closed(displacement):
+        return np.zeros(count, dtype=np.int64)
     if len(starts) < 2:
         return np.arange(count) * _BLOCKS // count
     numbers = np.searchsorted(starts, np.arange(count), side="right") - 1
     numbers[numbers == len(starts) - 1] = -1
     return numbers
+
+
+def is_closed(displacement: Array) -> bool:
+    """Whether a stroke ends where it began, and in the same direction, after it has turned twice.
+
+    >>> is_closed(np.sin(np.linspace(0.0, 2.0 * np.pi, 99))), is_closed(np.linspace(0.0, 1.0, 99))
+    (True, False)
+    """
+    some = max(1, len(displacement) // 100)
+    away = float(displacement[-1] - displacement[0])
+    begins, ends = displacement[some] - displacement[0], displacement[-1] - displacement[-1 - some]
+    turns = abs(float(begins)) + abs(float(ends)) + _OPEN * float(np.ptp(displacement))
+    return abs(away) < turns and begins * ends >= 0.0
+
+
+_OPEN = 0.01  # share of the stroke
 
 
 def acceleration_of(motion: DamperMotion) -> Array:

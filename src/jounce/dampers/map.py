@@ -17,14 +17,18 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.dampers.adjusters import LEVEL, adjusters_of, adjusters_over, is_clicks, place_of
 from jounce.dampers.curves import DamperSetting, Reading, curve_of, usual_reading, with_rest
+from jounce.dampers.exports import PeakTable
 from jounce.dampers.files import (
     AnyDynoFiles,
+    Settings,
     UnreadFile,
     as_dyno_files,
+    common_settings,
     read_settings,
     settings_of,
 )
 from jounce.dampers.loops import mean_of
+from jounce.dampers.peaks import curve_of_peaks
 from jounce.dampers.runs import DynoRun, ReadRun, left_out, read_run, summary_of, turned_by_gas
 from jounce.dampers.tables import map_table
 from jounce.identify.signs import ForcePositive, StrokePositive
@@ -248,46 +252,63 @@ def damper_map(
     table = read_settings(settings)
     findings: list[Finding] = []
     runs: list[ReadRun] = []
+    peaks: list[PeakTable] = []
     for item in as_dyno_files(files):
         if isinstance(item, UnreadFile):
             findings.append(left_out(item.path, item.error))
             continue
-        # What a record check says with its consequence for a damper is said once.
-        findings += [each for each in item.findings if each.code != "recordings.clipped"]
         try:
             stated, more = settings_of(item, table)
-            run = read_run(
-                item, stated, stroke_positive=stroke_positive, force_positive=force_positive
-            )
+            if isinstance(item, PeakTable):
+                peaks.append(
+                    replace(item, settings=stated).with_signs(stroke_positive, force_positive)
+                )
+            else:
+                runs.append(
+                    read_run(
+                        item, stated, stroke_positive=stroke_positive, force_positive=force_positive
+                    )
+                )
+                # What a record check says with its consequence for a damper is said once.
+                findings += [each for each in item.findings if each.code != "recordings.clipped"]
         except JounceError as error:
             findings.append(left_out(item.path, error))
             continue
         findings += more
-        runs.append(run)
-    if not runs:
+    if not runs and not peaks:
         raise FitError(
             "no record of a damper can be used", where="files",
             found="; ".join(item.message for item in findings[:3]) or "nothing",
         )  # fmt: skip
     if stroke_positive is None and force_positive is None:
         runs = turned_by_gas(runs)
-    groups: dict[tuple[tuple[str, float], ...], list[ReadRun]] = {}
-    for run in runs:
-        groups.setdefault(tuple(sorted(run.settings.items())), []).append(run)
+    common = common_settings([run.settings for run in runs] + [item.settings for item in peaks])
+    groups: dict[Settings, list[ReadRun]] = {}
+    tables: dict[Settings, list[PeakTable]] = {}
+    for run, key in zip(runs, common, strict=False):
+        groups.setdefault(key, []).append(run)
+    for item, key in zip(peaks, common[len(runs) :], strict=True):
+        if key in groups:
+            findings.append(finding("dampers.peaks_and_records", Path(item.path).name))
+        else:
+            tables.setdefault(key, []).append(item)
     alike = {key: _alike(group, findings) for key, group in groups.items()}
     used = [run for group in alike.values() for run in group]
     chosen = reading or usual_reading(list(alike.values()))
-    largest = max(run.peak for run in used)
+    largest = max((run.peak for run in used), default=0.0)
     curves: list[DamperSetting] = []
-    for group in sorted(alike.values(), key=_clicks_of):
-        curve = curve_of(group, chosen, largest, findings)
-        if len(curve.velocity) > 1:
-            curves.append(curve)
+    for key in sorted({**alike, **tables}, key=_clicks_of):
+        if key in tables:
+            curve = curve_of_peaks(tables[key], findings)
         else:
-            findings.append(finding("dampers.no_curve", group[0].file))
+            curve = curve_of(alike[key], chosen, largest, findings)
+        if len(curve.velocity) > 1:
+            curves.append(replace(curve, settings=dict(key)))
+        else:
+            findings.append(finding("dampers.no_curve", curve.files[0]))
     if not curves:
         raise FitError(
-            "no setting has enough cycles for a curve", where="files", found=runs[0].file,
+            "no setting has enough cycles for a curve", where="files", found=next((run.file for run in runs), ""),
             allowed="three cycles at each velocity",
         )  # fmt: skip
     summaries = tuple(summary_of(run) for run in used)
@@ -312,8 +333,8 @@ def shared_velocity(curves: Sequence[DamperSetting | CurveAt]) -> Array:
     return np.array(kept)
 
 
-def _clicks_of(group: list[ReadRun]) -> list[float]:
-    return [value for name, value in sorted(group[0].settings.items()) if is_clicks(name)]
+def _clicks_of(settings: Settings) -> list[float]:
+    return [value for name, value in settings if is_clicks(name)]
 
 
 def _mixed(made: DamperMap) -> Iterator[Finding]:
@@ -328,40 +349,38 @@ def _alike(runs: list[ReadRun], findings: list[Finding]) -> list[ReadRun]:
     """Leave out records that differ from the others of their setting as a wrong unit or sign does."""
     if len(runs) < _ENOUGH:
         return runs
-    points = {run.file: _net_peaks(run) for run in runs}
-    rates = {name: float(np.ptp(force) / np.ptp(speed)) for name, (speed, force) in points.items()}
-    usual_rate, usual_peak = (
-        float(np.median(values)) for values in (list(rates.values()), [run.peak for run in runs])
-    )
+    points = [_net_peaks(run) for run in runs]
+    rates = [float(np.ptp(force) / np.ptp(speed)) for speed, force in points]
+    usual_rate, usual_peak = float(np.median(rates)), float(np.median([run.peak for run in runs]))
     kept = []
-    for run in runs:
-        factor = rates[run.file] / usual_rate
+    for k, (run, rate) in enumerate(zip(runs, rates, strict=True)):
+        factor = rate / usual_rate
         limit = _UNLIKE * max(
             run.peak / usual_peak, usual_peak / run.peak
         )  # no valve bends a curve more
         if 1.0 / limit < factor < limit:
-            kept.append(run)
+            kept.append(k)
         else:
             findings.append(finding("dampers.unlike_others", run.file, factor, factor=factor))
     turned = [
-        run
-        for run in kept
-        if len(kept) >= _ENOUGH and _is_turned(run.file, {r.file: points[r.file] for r in kept})
+        k
+        for k in kept
+        if len(kept) >= _ENOUGH and _is_turned(points[k], [points[i] for i in kept if i != k])
     ]
-    findings += [finding("dampers.bump_is_rebound", run.file) for run in turned]
-    return [run for run in kept if run not in turned] or runs
+    findings += [finding("dampers.bump_is_rebound", runs[k].file) for k in turned]
+    return [runs[k] for k in kept if k not in turned] or runs
 
 
-def _is_turned(name: str, points: Mapping[str, Array]) -> bool:
+def _is_turned(own: Array, points: Sequence[Array]) -> bool:
     """Whether a record is like the others only with bump and rebound exchanged.
 
     The slowest and the fastest are not judged: bump may overtake rebound where no other record is.
     """
-    velocity, force = points[name]
-    speeds = {other: float(np.ptp(item[0])) for other, item in points.items() if other != name}
-    if not min(speeds.values()) <= float(np.ptp(velocity)) <= max(speeds.values()):
+    velocity, force = own
+    speeds = [float(np.ptp(item[0])) for item in points]
+    if not min(speeds) <= float(np.ptp(velocity)) <= max(speeds):
         return False
-    others = np.concatenate([item for other, item in points.items() if other != name], axis=1)
+    others = np.concatenate(points, axis=1)
     away, away_turned = (
         float(np.abs(force - line).sum() / np.abs(line).sum())
         for line in (_usual(velocity, *others), -_usual(-velocity[::-1], *others)[::-1])

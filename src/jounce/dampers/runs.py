@@ -142,9 +142,9 @@ class ReadRun:
     @cached_property
     def kind(self) -> MotionKind:
         """What drove the damper, told from the shape of the stroke."""
-        if self.motion.cycles < _CYCLIC:
+        if self.count > 1 and self.motion.cycles < _CYCLIC:
             return "ramp"
-        if (self.cycles >= 0).all():  # parts, not cycles
+        if self.count > 1 and (self.cycles >= 0).all():  # parts, not cycles
             return "random"
         whole = slice(self.starts[0], self.starts[-1])
         speed, x = np.abs(self.motion.velocity[whole]), self.motion.displacement[whole]
@@ -270,6 +270,8 @@ def summary_of(run: ReadRun) -> DynoRun:
     fade = _fade(force)
     if fade.interval and abs(fade.value) > _FADES and not fade.has(0.0):
         run.findings.append(finding("dampers.fades", run.file, fade.value, change=fade.value))
+    if run.count == 1:
+        run.findings.append(finding("dampers.one_cycle", run.file))
     inside = run.cycles >= 0
     work = float(np.trapezoid(motion.force[inside], motion.displacement[inside]))
     bump, rebound = (of_cycles(side) for side in force)
