@@ -198,3 +198,21 @@ def test_friction_makes_odd_multiples_of_the_drive_in_the_force():
 
 DRIVE = 0.84
 """Frequency of the drive in the record, Hz; SOURCE.md tells it."""
+
+
+@pytest.mark.parametrize("record", ["shaking_table_0v", "shaking_table_088v"])
+def test_a_map_needs_no_law_to_find_the_forces_of_the_published_law(record):
+    x, v, force, time = load(record)
+    channels = {"displacement": (x, "m", ""), "velocity": (v, "m/s", ""), "force": (force, "N", "")}
+    made = jn.damper_map([jn.RecordFile(f"{record}.csv", jn.recording(time, channels))])
+    (run,), (item,) = made.runs, made.settings
+    assert (run.motion, made.reading) == ("sine", "continuous")
+    with_gas = item.force + item.gas_force.value
+    ends = [run.peak_rebound_force.value, run.peak_bump_force.value]
+    assert with_gas[[0, -1]] == pytest.approx(ends, rel=0.05)
+    if record == "shaking_table_0v":
+        law = PUBLISHED["coefficient"] * item.velocity[[0, -1]]
+        law += PUBLISHED["hysteretic_force"] * np.sign(item.velocity[[0, -1]])
+        assert with_gas[[0, -1]] == pytest.approx(law, rel=0.15)
+    half = np.interp([-0.5 * run.peak_velocity, 0.5 * run.peak_velocity], item.velocity, with_gas)
+    assert np.all(half / with_gas[[0, -1]] > 0.7)  # the fluid yields: speed adds little
