@@ -71,6 +71,7 @@ from .dampers.exports import PeakTable as PeakTable
 from .dampers.files import UnreadFile as UnreadFile
 from .dampers.histograms import DamperHistograms as DamperHistograms
 from .dampers.histograms import damper_histograms as damper_histograms
+from .dampers.knees import Knee as Knee
 from .dampers.map import CurveAt as CurveAt
 from .dampers.map import DamperMap as DamperMap
 from .dampers.map import damper_map as damper_map

@@ -13,6 +13,7 @@ from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows
 from jounce.core.serialise import Plain
 from jounce.core.types import Array
+from jounce.dampers.knees import Knee, find_knees
 from jounce.dampers.loops import Loops, error_of, loops_of, mean_of
 from jounce.dampers.runs import PEAK, ReadRun, of_cycles
 from jounce.identify.estimate import Estimate, at_least_zero, combine, estimate, student_factor
@@ -58,6 +59,8 @@ class DamperSetting(Plain):
         Delay of the force behind the velocity, s; NaN if no record shows it.
     repeatability : float or None
         Scatter of repeated records, as a share of the force [1]; None without repeats.
+    knees : tuple of Knee
+        Where the force bends, as its blow-off valves open; none of a side that shows none.
     """
 
     settings: dict[str, float]
@@ -71,6 +74,7 @@ class DamperSetting(Plain):
     friction: Annotated[Estimate, Shows("friction", "N")]
     lag: Annotated[Estimate, Shows("lag of the force", "s")]
     repeatability: Annotated[float | None, Shows("scatter of repeats", "%", 2)]
+    knees: tuple[Knee, ...] = ()
 
     @property
     def damper(self) -> dict[str, Any]:
@@ -119,7 +123,15 @@ def curve_of(
         dict(runs[0].settings), tuple(run.file for run in runs),
         at, np.array([item.value for item in net]), ends[:, 0], ends[:, 1],
         _if_told(gas), _if_told(stiffness), _if_told(at_least_zero(friction)), _if_told(lag), repeatability,
+        _knees(runs, loops, gas),
     )  # fmt: skip
+
+
+def _knees(runs: Sequence[ReadRun], loops: Sequence[Loops], gas: Estimate) -> tuple[Knee, ...]:
+    """Find knees in the whole loops, whose velocities are closer than peak velocities."""
+    at, forces = _continuous_points(runs, loops)
+    error = [item.standard_error or 0.0 for item in forces]
+    return find_knees(at, np.array([item.value for item in forces]) - gas.value, np.array(error))
 
 
 def _name_friction(

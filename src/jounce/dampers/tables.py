@@ -140,7 +140,7 @@ def _setting(stated: dict[str, float], points: list[dict[str, float]], file: Pat
     )
     estimates = {name: _estimate(points[0], name) for name in _ESTIMATES}
     return DamperSetting(
-        stated, (file.name,), velocity, force, low, high, repeatability=None, **estimates
+        stated, (file.name,), velocity, force, low, high, repeatability=None, knees=(), **estimates
     )
 
 

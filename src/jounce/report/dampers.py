@@ -57,6 +57,7 @@ def damper_map_page(result: DamperMap, *, title: str) -> Page:
             "muted",
         ),
         Picture(lambda: figure_of(result), "damper-map", words, words),
+        *([as_table(_knees(result))] if any(item.knees for item in result.settings) else []),
         *findings_blocks(result.findings),
         Details("Curves", tuple(as_table(_curve(item)) for item in result.settings)),
         Details("Records", (as_table(_runs(result)),)),
@@ -87,6 +88,22 @@ def _settings(result: DamperMap) -> TextTable:
         "setting", "records", "gas [N]", "gas stiffness [N/mm]", "friction [N]", "lag [ms]", "repeats [%]",
     )  # fmt: skip
     return TextTable("Settings, with 95 % intervals", header, rows)
+
+
+def _knees(result: DamperMap) -> TextTable:
+    speed = display_unit("m/s")
+    rows = [
+        (
+            setting_words(item), knee.side, with_half(knee.velocity, speed.factor), with_half(knee.force),
+            number(knee.softer, 2),
+        )
+        for item in result.settings
+        for knee in item.knees
+    ]  # fmt: skip
+    header = (
+        "setting", "side", f"velocity [{speed.name}]", "force [N]", "slope beyond over before",
+    )  # fmt: skip
+    return TextTable("Knees, where a valve opens, with 95 % intervals", header, rows, texts=(0, 1))
 
 
 def _curve(item: DamperSetting) -> TextTable:

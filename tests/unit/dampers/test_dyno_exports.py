@@ -81,7 +81,7 @@ RECORDS = {
     "short_names": written(
         [("Time (s)", T), ("Pos (mm)", 1e3 * X), ("Vel (mm/s)", 1e3 * V), ("Load (N)", F)]
     ),
-    "kilonewtons_are_no_knots": written(
+    "kilonewtons": written(
         [("Time (ms)", 1e3 * T), ("Displacement (mm)", 1e3 * X), ("Force (kN)", F / 1e3)]
     ),
     "absolute_velocity": written(
