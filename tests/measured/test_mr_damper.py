@@ -200,6 +200,7 @@ DRIVE = 0.84
 """Frequency of the drive in the record, Hz; SOURCE.md tells it."""
 
 
+@pytest.mark.no_source
 @pytest.mark.parametrize("record", ["shaking_table_0v", "shaking_table_088v"])
 def test_a_map_needs_no_law_to_find_the_forces_of_the_published_law(record):
     x, v, force, time = load(record)

@@ -141,10 +141,11 @@ def read_export(path: Path, *, sample_time: float | None = None) -> list[RecordF
 
 def _tables(path: Path) -> list[tuple[list[list[str]], ColumnTable]]:
     """Return each table of a file with the rows above it; a file may repeat its header."""
-    if path.suffix.lower() not in _TEXTS:
-        return [(_above(cells_of_file(path)), read_signals(path, ReaderOptions()).columns)]
-    text = text_of(path)
-    lines = text.splitlines()
+    suffix = path.suffix.lower()
+    lines = text_of(path).splitlines() if suffix in _TEXTS else []
+    if not lines:
+        table = read_signals(path, ReaderOptions()).columns
+        return [(_above(cells_of_file(path)) if suffix == ".xlsx" else [], table)]
     head = next((i for i, line in enumerate(lines[1 : _HEAD + 1]) if _is_row(lines[i + 1])), 0)
     names = next((i for i in range(head, -1, -1) if _has_names(lines[i])), head)
     repeated = [i for i, line in enumerate(lines) if line.strip() == lines[names].strip()]
