@@ -33,6 +33,7 @@ _SINE = 0.98  # share of the variance of a stroke in its first two harmonics
 _STEADY = 0.85  # median of the speed over its largest: a triangle has 1, a sine 0.71
 _CYCLIC = 2.0  # cycles from which a motion is one
 _UNEVEN = 0.1  # scatter of the strokes of cycles, as a share: not yet, or no longer, steady
+_ONE_PERIOD = 0.05  # differences of the lengths of cycles, as a share
 _TREND = 5  # cycles from which a trend over them is told
 _FADES = 0.02  # change of the force over a record that is named
 PEAK = 0.05  # share of the largest speed below it that counts as peak velocity
@@ -139,6 +140,13 @@ class ReadRun:
         slow = speed < _NEAR_REST * np.quantile(speed, 0.99)
         return float(np.mean(slow)) > _SHARE_NEAR_REST
 
+    @property
+    def has_one_period(self) -> bool:
+        """Whether all cycles are of one length, though their strokes may grow or shrink."""
+        lengths = np.diff(self.starts)
+        is_cyclic = self.count > 1 and bool((self.cycles < 0).any())
+        return is_cyclic and float(np.ptp(lengths)) < _ONE_PERIOD * float(lengths.mean())
+
     @cached_property
     def kind(self) -> MotionKind:
         """What drove the damper, told from the shape of the stroke."""
@@ -203,7 +211,7 @@ def read_run(
     told = [item for item in findings if item.severity != "note"]
     cycles = cycle_numbers(motion.displacement)
     run = ReadRun(record, settings, motion, cycles, acceleration_of(motion), told)
-    if run.kind in ("sine", "crank", "triangle"):
+    if run.kind in ("sine", "crank", "triangle") or run.has_one_period:
         strokes = _strokes(run)
         uneven = float(np.ptp(strokes) / strokes.mean())
         if uneven > _UNEVEN:

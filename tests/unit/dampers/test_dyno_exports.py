@@ -483,3 +483,10 @@ def test_damaged_files_are_a_finding_each(tmp_path: Path) -> None:
     check(made)
     left = {Path(item.place).name for item in made.findings if item.code == "dampers.file_left_out"}
     assert left == {"cut.csv", "head.csv", "empty.csv", "notes.txt", "book.xlsx"}
+
+
+def test_a_run_that_never_becomes_steady_is_named(tmp_path: Path) -> None:
+    growing = T / T[-1]
+    columns = [("Displacement (mm)", 1e3 * X * growing), ("Force (N)", F * growing)]
+    made = curve_of(tmp_path, written([("Time (s)", T), *columns]))
+    assert "not_steady" in codes(made)
