@@ -76,7 +76,7 @@ def read_sheet_row(
     laboratory = Laboratory(rig, travel, rack)
     names = {
         str(name): str(values.attrs["units"])
-        for name, values in run_test(laboratory, TESTS[test], points=5).data_vars.items()
+        for name, values in run_test(laboratory, TESTS[test], points=5)[0].data_vars.items()
         if not str(name).startswith("handwheel")  # which follow from the rack
     }
     name = quantity if quantity in names else f"left.{quantity}"
@@ -159,7 +159,7 @@ class SheetEvaluator:
         tests = dict.fromkeys(self.rows[i].test for i in members)
         if along is None:
             for test in tests:
-                run = run_test(laboratory, TESTS[test], end)
+                run, _ = run_test(laboratory, TESTS[test], end)
                 for i in members:
                     row = self.rows[i]
                     if row.test == test:

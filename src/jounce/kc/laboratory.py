@@ -440,21 +440,8 @@ def run_test(
     held: Held = "load",
     handwheel: Handwheel = "locked",
     trail: float | str | None = None,
-) -> xr.Dataset:
-    """Run a test in a laboratory."""
-    return posed_test(laboratory, test, to, points, held, handwheel, trail)[0]
-
-
-def posed_test(
-    laboratory: Laboratory,
-    test: KCTest,
-    to: float | str | None = None,
-    points: int = 41,
-    held: Held = "load",
-    handwheel: Handwheel = "locked",
-    trail: float | str | None = None,
 ) -> tuple[xr.Dataset, Poses]:
-    """Run a test in a laboratory; return also the poses of all bodies."""
+    """Run a test in a laboratory; return its rows, and the poses of all bodies."""
     inputs = laboratory.inputs(test, to, points)
     behind = test.trail if trail is None else to_si(trail, "m", where="trail")
     poses, findings = laboratory.run(test, inputs, held, handwheel, behind)
@@ -536,6 +523,6 @@ def kc_tests(
     rack = None if steer is None else to_si(steer, "m", where="steer")
     laboratory = Laboratory(axle_of(axle, on), to_si(travel, "m", where="travel"), rack)
     return {
-        name: run_test(laboratory, TESTS[name], to, points, held, handwheel, trail)
+        name: run_test(laboratory, TESTS[name], to, points, held, handwheel, trail)[0]
         for name in laboratory.names(tests)
     }

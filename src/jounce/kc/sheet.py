@@ -336,7 +336,7 @@ def kc_sheet(  # noqa: PLR0913 - each is a setting of the laboratory
     for k, name in enumerate(names, 1):
         progress(progress_through("test {which} of {count}: {name}", k, len(names), name=name))
         try:
-            done[name] = run_test(
+            done[name], _ = run_test(
                 laboratory, TESTS[name], ends.get(name), points, held, handwheel, trail
             )
         except JounceError as error:

@@ -196,9 +196,9 @@ def kc_shims(
         place = np.array(points[point]) + shim * np.array(direction)
         changes = {f"hardpoints.{point}[{k}]": float(place[k]) for k in range(3)}
         moved = rig.with_changes(changes) if shim else rig
-        return read(run_test(Laboratory(moved, height), TESTS[test]))
+        return read(run_test(Laboratory(moved, height), TESTS[test])[0])
 
-    first = run_test(Laboratory(rig, height), TESTS[test])
+    first, _ = run_test(Laboratory(rig, height), TESTS[test])
     name = quantity if quantity in first else f"left.{quantity}"
     if name not in first:
         known = [str(item).removeprefix("left.") for item in first.data_vars]

@@ -532,12 +532,7 @@ def _rack_of(corner: Corner, rack: Values | None) -> Values:
 
 
 def travel_of_corner(
-    rig: Rig,
-    bump: Values,
-    rack: Values | None = None,
-    *,
-    vehicle: AxleLayout | None = None,
-    points: bool = False,
+    rig: Rig, bump: Values, rack: Values | None, vehicle: AxleLayout | None, *, points: bool
 ) -> xr.Dataset:
     """Sweep a corner over wheel travel; see ``sweep_travel``."""
     return _swept(

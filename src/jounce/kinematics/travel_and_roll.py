@@ -86,7 +86,7 @@ def sweep_travel(
                 hint="Leave it out.",
             )
         return travel_of_axle(rig, sweep_values(bump, "wheel travel"), vehicle)
-    return travel_of_corner(rig, bump, rack, vehicle=vehicle, points=points)
+    return travel_of_corner(rig, bump, rack, vehicle, points=points)
 
 
 def sweep_roll(rig: Rig, roll: Values, rack: float | str = 0.0) -> xr.Dataset:

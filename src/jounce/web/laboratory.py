@@ -108,7 +108,7 @@ class Bench:
 
     def test(self, name: str, asked: Question) -> xr.Dataset | JounceError:
         """Return a test, or why it has no result."""
-        from jounce.kc.laboratory import posed_test
+        from jounce.kc.laboratory import run_test
         from jounce.kc.overview import with_derived
         from jounce.kc.tests import TESTS
 
@@ -116,7 +116,7 @@ class Bench:
         if key not in self._done:
             end = asked.to.get(name) or None
             try:
-                run, self._poses[key] = posed_test(
+                run, self._poses[key] = run_test(
                     self._laboratory, TESTS[name], end, held=asked.held, handwheel=asked.handwheel
                 )
                 self._done[key] = with_derived(run)
