@@ -277,7 +277,7 @@ def test_what_cannot_be_lumped_is_refused(rig, message):
 
 
 def test_models_that_are_not_a_pair_are_refused():
-    with pytest.raises(DescriptionError, match="not a rig with hardpoints"):
+    with pytest.raises(DescriptionError, match="not a corner with hardpoints"):
         compare_models(jn.load("kart-quarter-car"))
     with pytest.raises(DescriptionError, match="not a quarter car"):
         compare_models(KART, KART)

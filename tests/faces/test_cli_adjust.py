@@ -180,7 +180,7 @@ def test_lumped_model_of_its_own_over_a_road_of_ones_own(cli, bump: Path) -> Non
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (("kart-quarter-car",), "not a rig with hardpoints"),
+        (("kart-quarter-car",), "not a corner with hardpoints"),
         ((RIG, "--lumped", RIG), "not a quarter car"),
         ((RIG, "--speed", "0 m/s"), "--speed"),
         ((RIG, "--road", "nowhere"), "nowhere"),

@@ -247,7 +247,7 @@ def test_excitation_and_right_road_contradict_each_other(cli, tmp_path: Path) ->
         ),
         (
             ("adjust", HALF, "--set", "spring_preload=1 N"),
-            "only a rig with hardpoints can be adjusted",
+            "only a corner with hardpoints can be adjusted",
         ),
     ],
 )

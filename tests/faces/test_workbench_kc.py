@@ -12,6 +12,7 @@ import pytest
 
 import jounce as jn
 from jounce.core.errors import JounceError
+from jounce.web import sweeps
 from jounce.web.laboratory import Question, run_tests
 from jounce.web.project import Project
 
@@ -159,6 +160,28 @@ def test_dependent_axles_are_tested_without_a_rack(project, rig):
     assert "steer" not in answer.equivalents["tests"]
 
 
+@pytest.mark.parametrize(("over", "name"), [("travel", "toe"), ("roll", "camber")])
+def test_dependent_axles_are_swept_and_drawn_on_both_sides(project, over, name):
+    given = {"travel": "-20 mm:20 mm:10 mm", "roll": "-2 deg:2 deg:1 deg"}
+    answer = sweeps.swept(project, sweeps.Question("twist-beam", {}, over=over, **given))
+    scene = answer.viewer.scenes[0]
+    sweep = getattr(jn, f"sweep_{over}")(jn.load("twist-beam"), given[over])
+    assert curves(answer)[f"right.{name}"]["as it is"] == pytest.approx(
+        np.degrees(sweep[f"right.{name}"].values), abs=1e-9
+    )
+    assert "roll_steer" in curves(answer)
+    drawn = scene.motion.mechanism
+    for side, posed in (("left", drawn), ("right", drawn.other)):
+        height = posed.poses.points["wheel_centre"][:, 2]
+        assert height == pytest.approx(sweep[f"{side}.wheel_centre_z"].values, abs=1e-9)
+
+
+def test_the_page_says_that_bushings_yield(project):
+    asked = sweeps.Question("solid-axle", {}, "-10 mm:10 mm:10 mm")
+    (note,) = sweeps.swept(project, asked).equivalents["notes"]
+    assert "bushings yield" in note
+
+
 @pytest.fixture(scope="module")
 def workbench(tmp_path_factory):
     """A workbench over a corner and a twist beam: its address and folder."""
@@ -210,11 +233,25 @@ def test_a_stiffness_is_moved_and_written_into_the_file(page, workbench):
 
 @pytest.mark.pages
 @pytest.mark.parametrize("to", ["kinematics", "trial"])
-def test_pages_of_one_wheel_lead_dependent_axles_to_the_kc_rig(page, to):
+def test_other_pages_lead_dependent_axles_to_the_kc_rig(page, to):
     go(page, f"{to}?rig=twist-beam.toml", to)
     page.get_by_role("link", name="Show its K&C").first.click()
     page.wait_for_selector("html[data-ready=kc]", timeout=60_000)
     page.wait_for_selector(".sheet tbody tr:nth-child(30)", timeout=60_000)
+
+
+@pytest.mark.pages
+def test_a_twist_beam_is_swept_over_roll_on_the_page_kinematics(page):
+    go(page, "kinematics?rig=twist-beam.toml", "kinematics")
+    page.wait_for_selector("[data-path='hardpoints.shear_centre[2]'] input", timeout=60_000)
+    with page.expect_response(lambda answer: "kinematics" in answer.url) as answered:
+        page.get_by_label("Curves over").select_option("roll")
+    assert answered.value.ok
+    assert page.get_by_label("Curves over").locator("option").all_inner_texts() == [
+        "wheel travel",
+        "roll of the body",
+    ]
+    assert page.locator(".problem").count() == 0
 
 
 @pytest.mark.pages

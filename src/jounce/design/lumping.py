@@ -26,8 +26,9 @@ from jounce.core.errors import DescriptionError, SimulationError
 from jounce.core.phrases import Phrase
 from jounce.core.types import Array
 from jounce.kinematics import sweep_travel
+from jounce.kinematics.model import check_corner
 from jounce.kinematics.moved_rigs import rigs_along
-from jounce.parts import Corner, QuarterCar, Rig
+from jounce.parts import Corner, DependentAxle, QuarterCar, Rig
 from jounce.parts.dampers import DamperLaw, VelocityTable
 from jounce.parts.leverage import body_motion, force_at
 from jounce.parts.tables import on_lines
@@ -314,6 +315,8 @@ def lumped_from(rig: Rig) -> QuarterCar:
 
 def _guide_vertically(rig: Rig) -> Corner:
     """Mount the corner on a vertical guide with ideal joints."""
+    if isinstance(rig, DependentAxle):
+        return check_corner(rig)
     if not isinstance(rig, Corner):
         raise DescriptionError(
             "the rig is already lumped",

@@ -185,7 +185,9 @@ def compare_models(
     """
     if not isinstance(spatial, Corner):
         raise DescriptionError(
-            "not a rig with hardpoints", where="spatial", found=getattr(spatial, "model", "a rig")
+            "not a corner with hardpoints",
+            where="spatial",
+            found=getattr(spatial, "model", "a rig"),
         )
     own = lumped_from(spatial) if lumped is None else lumped
     if not isinstance(own, QuarterCar):

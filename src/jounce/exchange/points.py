@@ -11,7 +11,7 @@ from jounce.core.operation import File, Switch, operation
 from jounce.core.serialise import Plain
 from jounce.core.writing import Formats
 from jounce.exchange.corners import corner_of
-from jounce.parts import Rig, as_rig
+from jounce.parts import DependentAxle, Rig, as_rig
 from jounce.parts.bodies import Triple
 from jounce.parts.corners import Corner
 from jounce.parts.options import AnyRig
@@ -62,7 +62,7 @@ def export_hardpoints(
     """
     chosen = as_rig(rig)
     write_hardpoints(chosen, path, force=force)
-    return HardpointExport(corner_of(chosen, "the rig has no hardpoints").hardpoints.given())
+    return HardpointExport(_described(chosen).hardpoints.given())
 
 
 def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path:
@@ -74,7 +74,7 @@ def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path
     Parameters
     ----------
     rig : Rig
-        3-D corner of a car.
+        3-D corner of a car, or a dependent axle, whose left side is written.
     path : Path or str
         File to write.
     force : bool
@@ -98,10 +98,16 @@ def write_hardpoints(rig: Rig, path: Path | str, *, force: bool = False) -> Path
     >>> file.read_text().splitlines()[0]
     'name,x [mm],y [mm],z [mm]'
     """
-    return POINT_FORMATS.write(corner_of(rig, "the rig has no hardpoints"), path, force=force)
+    return POINT_FORMATS.write(_described(rig), path, force=force)
 
 
-def _table(rig: Corner, file: Path) -> None:
+def _described(rig: Rig) -> Corner | DependentAxle:
+    if isinstance(rig, DependentAxle):
+        return rig
+    return corner_of(rig, "the rig has no hardpoints")
+
+
+def _table(rig: Corner | DependentAxle, file: Path) -> None:
     rows = [
         f"{name},{','.join(map(_number, point))}" for name, point in rig.hardpoints.given().items()
     ]
@@ -114,15 +120,19 @@ def _number(metres: float) -> str:
     return f"{_MM * metres:.9g}"
 
 
-def _lines(rig: Corner) -> Iterator[tuple[Triple, Triple]]:
-    points = rig.hardpoints
-    given = points.given()
-    for first, other in (*type(points).rods, *_LINES):
+def _lines(rig: Corner | DependentAxle) -> Iterator[tuple[Triple, Triple]]:
+    given = rig.hardpoints.given()
+    if isinstance(rig, DependentAxle):
+        links = [name.removesuffix("_body") for name in given if name.endswith("_body")]
+        rods = [*((f"{name}_body", f"{name}_axle") for name in links), ("pivot", "wheel_centre")]
+    else:
+        rods = list(type(rig.hardpoints).rods)
+    for first, other in (*rods, *_LINES):
         if first in given and other in given:
             yield given[first], given[other]
 
 
-def _drawing(rig: Corner, file: Path) -> None:
+def _drawing(rig: Corner | DependentAxle, file: Path) -> None:
     """Write DXF in its oldest version (R12), which all CAD programs read."""
     pairs: list[tuple[int, str]] = [
         (0, "SECTION"),

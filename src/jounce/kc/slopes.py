@@ -16,6 +16,7 @@ from jounce.kc.loops import lines_of
 if TYPE_CHECKING:
     import xarray as xr
 
+_ROUNDING = 1e-12  # SI, and as a share of the values
 _GRID = 41
 
 
@@ -135,7 +136,7 @@ def _fit(
     curve = lines.mean
     away = np.abs(curve - intercept - slope * (grid - centre))
     line, span = abs(slope) * float(np.ptp(grid)), float(np.nanmax(curve) - np.nanmin(curve))
-    least = 1e-12 * max(float(np.max(np.abs(y))), 1e-12)
+    least = _ROUNDING * max(float(np.max(np.abs(y))), 1.0)
     return (
         slope,
         intercept,

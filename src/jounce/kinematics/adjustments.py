@@ -338,7 +338,7 @@ def corner_of(rig: Rig) -> Corner:
     """Return the rig as a corner; raise an error without hardpoints."""
     if not isinstance(rig, Corner):
         raise DescriptionError(
-            "only a rig with hardpoints can be adjusted",
+            "only a corner with hardpoints can be adjusted",
             where="rig",
             found=f'model = "{getattr(rig, "model", "")}"',
             allowed="double-wishbone, mcpherson, five-link, trailing-arm; such as kart-double-wishbone of the library",

@@ -1,4 +1,4 @@
-"""Many variants of a corner over the same sweep: for a wheel in one native loop, for an axle one by one."""
+"""Many variants of a corner or axle over the same sweep: for a wheel in one native loop, for an axle one by one."""
 
 from __future__ import annotations
 
@@ -15,9 +15,10 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.kernel.poses import walk_variants
 from jounce.kinematics.axle import AxleVariables, TwoWheelAxle, check_roll, roll_axle, steering_rows
+from jounce.kinematics.dependent import no_rack, roll_of_axle, travel_of_axle
 from jounce.kinematics.model import KinematicModel, check_corner, check_rack, kinematic_model
 from jounce.kinematics.sweeps import AxleLayout, PreparedSweep, Values, prepare_sweep, sweep_values
-from jounce.parts import Corner, Rig
+from jounce.parts import Corner, DependentAxle, Rig
 from jounce.parts.points import LARGE
 from jounce.parts.rig import unit_of, unknown_path
 from jounce.recordings.carried import by_path
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _MOST_RESULTS = 200_000_000  # numbers in one result, 1.6 GB
+_IN_RUNS_ONLY = ("tyre.", "bodies.", "gravity", "strut.damper.")  # of a dependent axle
 Changes = Mapping[str, Sequence[float | str] | Sequence[Sequence[float | str]] | Array]
 """Value of a parameter, or position of a point, in each variant, by path."""
 
@@ -44,12 +46,13 @@ def sweep_variants(
 ) -> xr.Dataset:
     """Sweep many variants of a corner over the same travel, rack, or both; or of an axle over roll or rack.
 
-    Variants of a single wheel are swept in one native loop, variants of an axle one by one.
+    Variants of a single wheel are swept in one native loop, variants of an axle one by one. Solid axles and twist beams
+    are swept over travel or roll.
 
     Parameters
     ----------
     rig : Rig
-        The base of all variants.
+        The base of all variants: a corner with hardpoints, a solid axle or a twist beam.
     changes : mapping of str to array_like, shape (k,) or (k, 3), or DataFrame
         Value of a parameter of the description in each variant by path, or of a point
         (``"hardpoints.tie_rod_inner"``) its positions; SI or texts with units; all of the same length.
@@ -91,7 +94,6 @@ def sweep_variants(
     >>> rolled["roll_centre_height"].dims
     ('variant', 'roll_angle')
     """
-    corner = check_corner(rig)
     if roll is not None and (travel is not None or axle):
         raise DescriptionError(
             "wheel travel follows from the roll angle and cannot be set",
@@ -102,6 +104,10 @@ def sweep_variants(
         raise DescriptionError(
             "needs a steered axle", where="vehicle", hint="Add axle=True, or leave it out."
         )
+    if isinstance(rig, DependentAxle):
+        no_rack(rig, rack is not None or axle, "rack")
+        return _of_dependent(rig, changes, 0.0 if travel is None else travel, roll, quantities)
+    corner = check_corner(rig)
     if roll is not None or axle:
         return _of_axle(
             corner, changes, 0.0 if travel is None else travel, rack, roll, vehicle, quantities
@@ -143,6 +149,52 @@ def _of_wheel(
     return _together(rig, variables, coordinates, columns, np.isfinite(out[0]).sum(axis=1))
 
 
+def _of_dependent(
+    rig: DependentAxle,
+    changes: Changes,
+    travel: Values,
+    roll: Values | None,
+    quantities: Sequence[str] | None,
+) -> xr.Dataset:
+    import xarray as xr
+
+    known = [path for path in rig.parameters() if not path.startswith(_IN_RUNS_ONLY)]
+    columns = _read_changes(known, rig, changes)
+    if roll is None:
+        at = sweep_values(travel, "wheel travel")
+    else:
+        at = sweep_values(roll, "roll", "rad")
+        check_roll(at, "roll")
+
+    def of(variant: DependentAxle) -> xr.Dataset:
+        return travel_of_axle(variant, at, None) if roll is None else roll_of_axle(variant, at)
+
+    first = of(rig)
+    along = str(next(iter(first.sizes)))
+    names = _names(quantities, list(map(str, first.data_vars)))
+    count = len(next(iter(columns.values())))
+    _refuse_many(count * len(at) * len(names))
+    out = np.full((len(names), count, len(at)), np.nan)
+    reached = np.zeros(count, dtype=np.int64)
+    for k in range(count):
+        variant = rig.with_changes({path: float(column[k]) for path, column in columns.items()})
+        try:
+            swept = of(variant)
+        except SimulationError:  # this variant reaches no pose
+            continue
+        place = np.isin(at, swept[along].values)
+        for row, name in enumerate(names):
+            if name in swept:  # forces only where joints are ideal
+                out[row, k, place] = swept.variables[name].values
+        reached[k] = int(place.sum())
+    variables = {
+        name: xr.Variable(("variant", along), value, first.variables[name].attrs)
+        for name, value in zip(names, out, strict=True)
+    }
+    coordinates = {along: xr.Variable((along,), at, first.variables[along].attrs)}
+    return _together(rig, variables, coordinates, columns, reached)
+
+
 def _of_axle(
     rig: Corner,
     changes: Changes,
@@ -180,13 +232,7 @@ def _of_axle(
         )
 
     first = of(kinematic_model(rig).parameter_values(rig))
-    names = list(first.values) if quantities is None else list(quantities)
-    for name in names:
-        if name not in first.values:
-            hint = nearest(name, list(first.values))
-            raise DescriptionError(
-                "no such quantity", where=name, allowed=", ".join(first.values), hint=hint
-            )
+    names = _names(quantities, list(first.values))
     _refuse_many(len(parameters) * len(at) * len(names))
     out = np.full((len(names), len(parameters), len(at)), np.nan)
     reached = np.zeros(len(parameters), dtype=np.int64)
@@ -210,7 +256,7 @@ def _of_axle(
 
 
 def _together(
-    rig: Corner,
+    rig: Corner | DependentAxle,
     variables: dict[str, Any],
     coordinates: dict[str, Any],
     columns: dict[str, Array],
@@ -247,14 +293,17 @@ def _parameters(
     sweep: PreparedSweep, rig: Corner, changes: Changes
 ) -> tuple[Array, dict[str, Array]]:
     """Return the parameters of all variants, shape (k, parameters), and the changed columns by path."""
-    columns = _read_changes(sweep.model, rig, changes)
+    columns = _read_changes(sweep.model.parameters, rig, changes)
     parameters = np.tile(sweep.walk.p, (len(next(iter(columns.values()))), 1))
     for path, column in columns.items():
         parameters[:, sweep.model.parameters.index(path)] = column
     return parameters, columns
 
 
-def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[str, Array]:
+def _read_changes(
+    used: Sequence[str], rig: Corner | DependentAxle, changes: Changes
+) -> dict[str, Array]:
+    """Return the changed parameters, which must be among those ``used`` by the sweep, as columns by path."""
     changes = by_path(changes)
     if not changes:
         raise DescriptionError(
@@ -266,11 +315,11 @@ def _read_changes(model: KinematicModel, rig: Corner, changes: Changes) -> dict[
         parts = [path] if path in known else [f"{path}[{i}]" for i in range(3)]
         if parts[-1] not in known:
             raise unknown_path(path, known)
-        if parts[0] not in model.parameters:
+        if parts[0] not in used:
             raise DescriptionError(
                 "has no effect on the kinematics",
                 where=path,
-                hint=nearest(path, model.parameters) or "Leave it out.",
+                hint=nearest(path, used) or "Leave it out.",
             )
         where = f"changes: {path}"
         if len(parts) == 1:
@@ -323,10 +372,17 @@ def _places(given: object, where: str) -> list[Array]:
 
 def _choose_rows(model: KinematicModel, quantities: Sequence[str] | None) -> NDArray[np.int64]:
     names = [row.name for row in model.rows]
+    return np.array([names.index(name) for name in _names(quantities, names)], dtype=np.int64)
+
+
+def _names(quantities: Sequence[str] | None, known: list[str]) -> list[str]:
+    """Return the quantities to keep, all by default; refuse unknown ones."""
     for name in quantities or ():
-        if name not in names:
-            hint = nearest(name, names)
+        if name not in known:
             raise DescriptionError(
-                "no such quantity", where=name, allowed=", ".join(names), hint=hint
+                "no such quantity",
+                where=name,
+                allowed=", ".join(known),
+                hint=nearest(name, known),
             )
-    return np.array([names.index(name) for name in quantities or names], dtype=np.int64)
+    return known if quantities is None else list(quantities)

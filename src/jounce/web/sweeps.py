@@ -1,9 +1,9 @@
-"""Sweeps of a corner for the page: over travel, rack or roll, compared with other versions, targets and centres."""
+"""Sweeps of a corner or axle for the page: over travel, rack or roll, beside other versions, targets and centres."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -15,6 +15,7 @@ from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.operations.index import operations
 from jounce.operations.request import Request
+from jounce.parts import DependentAxle
 from jounce.web.answers import (
     Changes,
     CurvesAnswer,
@@ -60,7 +61,7 @@ class Question:
 
 
 def swept(project: Project, asked: Question) -> CurvesAnswer:
-    """Sweep a 3-D corner as changed, as saved, and a rig for comparison; return curves and equivalent code."""
+    """Sweep a corner or axle as changed, as saved, and a rig for comparison; return curves and equivalent code."""
     from jounce.kinematics.sweeps import sweep_values
     from jounce.report.recordings import curve_viewer
 
@@ -82,6 +83,9 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
     }
     first = next(iter(rigs.values()))
     viewer = curve_viewer({"": runs}, list(asked.channels) or None, rig=first)
+    if isinstance(first, DependentAxle):
+        viewer = _with_axle(viewer, first, next(iter(runs.values())))
+    findings = next(iter(runs.values())).attrs.get("findings", "")
     wanted = [*_study_targets(project, asked.study), *asked.targets]
     more = {
         "digest": digest_of(rigs["as it is"]),
@@ -89,17 +93,50 @@ def swept(project: Project, asked: Question) -> CurvesAnswer:
         "differences": differences_of(rigs),
         "targets": _bands(first, wanted, asked.over, viewer),
         "notes": [
-            _note(label, run)
-            for label, run in runs.items()
-            if run.attrs.get("status") != "completed"
+            *(
+                _note(label, run)
+                for label, run in runs.items()
+                if run.attrs.get("status") != "completed"
+            ),
+            *([findings] if isinstance(first, DependentAxle) and findings else []),
         ],
     }
     return CurvesAnswer(viewer, more | _ways(asked))
 
 
+def _with_axle(viewer: Viewer, rig: DependentAxle, run: xr.Dataset) -> Viewer:
+    """Return a viewer that also shows both sides of a dependent axle in the poses of its sweep."""
+    from jounce.kinematics.dependent_poses import SweptAxle
+    from jounce.plots.mechanisms.axle import sides_of
+    from jounce.report.live import Motion, PosedRig
+
+    along = run.variables[next(iter(run.dims))]
+    order = np.argsort(along.values)
+    over = along.values[order]
+    axle = SweptAxle(rig)
+    left, right = (run[f"{side}.wheel_travel"].values[order] for side in ("left", "right"))
+    places = axle.at(left, right).poses
+    words, unit = str(along.attrs["long_name"]), str(along.attrs["units"])
+    posed: PosedRig | None = None
+    for drawing, poses in reversed(sides_of(axle.built, places, over, words, unit)):
+        posed = PosedRig(drawing, poses, rolls=False, other=posed)
+    assert posed is not None
+    scene = viewer.scenes[0]
+    x = scene.x * to_si(f"1 {viewer.unit}", unit)
+    ground = np.interp(x, over, posed.poses.ground)
+    motion = Motion(posed, np.zeros_like(x), x, ground, np.ones_like(x))
+    return replace(viewer, scenes=(replace(scene, motion=motion), *viewer.scenes[1:]))
+
+
 def _run(rig: Rig, asked: Question) -> xr.Dataset:
     import jounce as jn
 
+    if isinstance(rig, DependentAxle):
+        if asked.over == "rack":
+            return jn.sweep_rack(rig, asked.rack)  # refused
+        rolled = asked.over == "roll"
+        sweep = jn.sweep_roll(rig, asked.roll) if rolled else jn.sweep_travel(rig, asked.travel)
+        return _axle_first(sweep)
     if asked.over == "rack":
         return jn.sweep_rack(rig, asked.rack, asked.travel or 0.0, points=True)
     if asked.over == "roll":
@@ -125,10 +162,13 @@ def _sweep_roll(rig: Rig, roll: str, rack: float | str) -> xr.Dataset:
         for name in own.data_vars
         if "." in str(name)  # quantities of the axle
     }
-    names = sorted(
-        map(str, axle.data_vars), key=lambda name: "." in name
-    )  # quantities of the whole axle come first
-    return axle[names].assign(placed)
+    return _axle_first(axle).assign(placed)
+
+
+def _axle_first(run: xr.Dataset) -> xr.Dataset:
+    """Put quantities of the whole axle before those of its wheels."""
+    names: list[str] = sorted(map(str, run.data_vars), key=lambda name: "." in name)
+    return run[names]
 
 
 def _note(label: str, run: xr.Dataset) -> str:

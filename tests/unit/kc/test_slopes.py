@@ -74,6 +74,9 @@ def test_gaps_are_left_out_and_constants_have_no_shares() -> None:
     assert float(flat["slope"][0]) == pytest.approx(0.0, abs=1e-15)
     assert np.isnan(flat["nonlinearity"][0])
     assert np.isnan(flat["hysteresis"][0])
+    rounding = jn.kc_slopes(sheet(x, 1e-17 * np.cos(40.0 * x)))  # of a quantity that stays at 0
+    assert np.isnan(rounding["nonlinearity"][0])
+    assert np.isnan(rounding["hysteresis"][0])
 
 
 @pytest.mark.parametrize("within", [(1.0, -1.0), "1 m", (5000.0, 6000.0), (0.0, 1.0, 2.0)])

@@ -315,3 +315,50 @@ def test_command_figures_and_page_take_dependent_axles(tmp_path) -> None:
     assert titles == ["Extremes", "Curves", "Mechanism", "Poses"]
     rolled = jn.sweep_kinematics("solid-axle", roll="-2 deg:2 deg:1 deg")
     assert "bushings yield" in rolled.remark
+
+
+def test_hardpoints_of_an_axle_are_written(tmp_path) -> None:
+    table = jn.write_hardpoints(jn.load("solid-axle"), tmp_path / "points.csv").read_text()
+    assert "panhard_body,-100,-610,350" in table
+    drawing = jn.write_hardpoints(jn.load("twist-beam"), tmp_path / "points.dxf").read_text()
+    assert drawing.count("LINE\n") == 2  # half and strut
+    assert "shear_centre" in drawing
+
+
+# variants -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["twist-beam", "solid-axle"])
+def test_variants_are_sweeps_of_changed_axles(name: str) -> None:
+    base, heights = jn.load(name), [0.28, 0.3]
+    path = "hardpoints.wheel_centre[2]"
+    over_roll = jn.sweep_variants(base, {path: heights}, roll="-2 deg:2 deg:2 deg")
+    bumped = jn.sweep_variants(base, {path: heights}, [0.0, 0.03], quantities=["left.toe"])
+    assert list(bumped.data_vars) == ["left.toe", "reached"]
+    for k, height in enumerate(heights):
+        rig = base.with_changes({path: height})
+        rolled = jn.sweep_roll(rig, "-2 deg:2 deg:2 deg")
+        for row in ("roll_steer", "roll_centre_height", "right.wheel_travel"):
+            assert over_roll[row][k].values == pytest.approx(rolled[row].values, abs=1e-12)
+        toe = jn.sweep_travel(rig, [0.0, 0.03])["left.toe"].values
+        assert bumped["left.toe"][k].values == pytest.approx(toe, abs=1e-12)
+
+
+def test_a_variant_that_ends_early_has_gaps() -> None:
+    lengths = {"hardpoints.lower_link_body[0]": [0.5, 0.02]}
+    swept = jn.sweep_variants(solid(PANHARD), lengths, [0.0, 0.04])
+    assert swept["reached"].values.tolist() == [2, 1]
+    assert np.isfinite(swept["left.toe"].values).tolist() == [[True, True], [True, False]]
+
+
+@pytest.mark.parametrize(
+    ("changes", "options", "message"),
+    [
+        ({"tyre.stiffness": [2e5]}, {}, "no effect on the kinematics"),
+        ({"hardpoints.pivot[2]": [0.3]}, {"rack": 0.01}, "no steering rack"),
+        ({"hardpoints.pivot[2]": [0.3]}, {"quantities": ["camber"]}, "no such quantity"),
+    ],
+)
+def test_variants_refuse_what_an_axle_has_not(changes, options, message: str) -> None:
+    with pytest.raises(DescriptionError, match=message):
+        jn.sweep_variants(jn.load("twist-beam"), changes, **options)

@@ -50,7 +50,7 @@ export const canShow = (
   rig: { has_hardpoints: boolean; has_axle: boolean; is_dependent: boolean },
 ): boolean =>
   page === "kinematics"
-    ? rig.has_hardpoints
+    ? rig.has_hardpoints || rig.is_dependent
     : page === "kc"
       ? rig.has_axle
       : page === "rig" || !rig.is_dependent;

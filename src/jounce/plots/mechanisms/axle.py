@@ -1,11 +1,11 @@
-"""An axle on the K&C rig: scenes of both sides, and their poses over the input of a test."""
+"""An axle in maximal coordinates: scenes of both sides, and their poses over the input of a test or a sweep."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from jounce.axles.assembly import GROUND
-from jounce.axles.builder import SIDES
+from jounce.axles.builder import SIDES, AxleBuilder
 from jounce.axles.wheels import down, moved, turned
 from jounce.core.types import Array
 from jounce.kc.quantities import Poses as Samples
@@ -24,9 +24,14 @@ def sides_on_rig(samples: Samples, inputs: Array, words: str, unit: str) -> list
     of the axle carries stays in place.
     """
     way = _one_way(inputs, samples)
-    rig = samples.axle.rig
+    return sides_of(samples.axle, samples.places()[way], inputs[way], words, unit)
+
+
+def sides_of(axle: AxleBuilder, places: Array, over: Array, words: str, unit: str) -> list[Side]:
+    """Return both sides as `sides_on_rig` does for poses of all bodies (n, bodies, 12) ``over`` an ascending input."""
+    rig = axle.rig
     return [
-        (scene, _poses(scene, side, samples, way, inputs[way], (words, unit)))
+        (scene, _poses(scene, side, axle, places, over, (words, unit)))
         for side in sorted(SIDES, key=lambda side: side != rig.side)
         for scene in [_scene(rig, side)]
     ]
@@ -47,9 +52,8 @@ def _one_way(inputs: Array, samples: Samples) -> Array:
 
 
 def _poses(
-    scene: Scene, side: str, samples: Samples, way: Array, over: Array, named: tuple[str, str]
+    scene: Scene, side: str, axle: AxleBuilder, places: Array, over: Array, named: tuple[str, str]
 ) -> Poses:
-    places, axle = samples.places()[way], samples.axle
     upright = axle.carried[f"{side}.wheel_centre"]
     tracks = {}
     for name, design in scene.design.points.items():
@@ -58,13 +62,13 @@ def _poses(
         body = axle.carried.get(f"{side}.{name}", upright if name in scene.feet else GROUND)
         at = np.asarray(design, dtype=float)
         tracks[name] = (
-            np.broadcast_to(at, (len(way), 3)) if body == GROUND else moved(places[:, body], at)
+            np.broadcast_to(at, (len(over), 3)) if body == GROUND else moved(places[:, body], at)
         )
     wheel = axle.assembly.wheels[SIDES.index(side)]
     axis = turned(places[:, wheel.body], np.real(wheel.axis[:, 0]))
     contact = tracks["wheel_centre"] + float(np.real(wheel.radius).flat[0]) * down(axis)
     words, unit = named
     return Poses(
-        with_middle(tracks), axis, contact, contact[:, 2], np.ones(len(way), dtype=bool), over,
+        with_middle(tracks), axis, contact, contact[:, 2], np.ones(len(over), dtype=bool), over,
         words, unit, in_time=False,
     )  # fmt: skip

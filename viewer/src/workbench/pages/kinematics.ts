@@ -122,23 +122,14 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   if (!place.isConnected) return;
   const before = stored?.rig === name ? stored : null;
   stored = null;
-  if (!rig.spatial) {
+  if (!rig.spatial && !rig.is_dependent) {
     place.replaceChildren(
       make("h1", {}, name),
       make(
         "p",
         { class: "empty" },
-        ...(rig.is_dependent
-          ? [
-              tr(
-                "The wheels of this axle move together, so there is no sweep of one wheel yet. The K&C rig tests the whole axle: ",
-              ),
-              make("a", { href: address("kc", { rig: name }) }, tr("Show its K&C")),
-            ]
-          : [
-              tr("This rig has no hardpoints and therefore no kinematics: "),
-              make("a", { href: address("kinematics") }, tr("choose another one")),
-            ]),
+        tr("This rig has no hardpoints and therefore no kinematics: "),
+        make("a", { href: address("kinematics") }, tr("choose another one")),
         ".",
       ),
     );
@@ -205,8 +196,10 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     arrange();
     void ask();
   });
+  const isAlike = (entry: { has_hardpoints: boolean; is_dependent: boolean }) =>
+    rig.is_dependent ? entry.is_dependent : entry.has_hardpoints;
   const rigs = entries
-    .filter((entry) => entry.has_hardpoints && entry.path !== name)
+    .filter((entry) => isAlike(entry) && entry.path !== name)
     .map((entry) => entry.path);
   const against = new Against(
     tr("Compare with"),
@@ -219,12 +212,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
         ]),
       ],
       [tr("this project"), rigs.map((rig) => [rig, rig])],
-      [
-        tr("shipped"),
-        shipped
-          .filter((shippedRig) => shippedRig.has_hardpoints)
-          .map((shipped) => [shipped.name, shipped.name]),
-      ],
+      [tr("shipped"), shipped.filter(isAlike).map((shipped) => [shipped.name, shipped.name])],
     ],
     () => void ask(),
   );
@@ -248,7 +236,8 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
     },
     tr("instant centres in front and side view, and the roll centre"),
   );
-  view.element.querySelector(".bar")!.append(make("div", { class: "group" }, centred));
+  if (!rig.is_dependent)
+    view.element.querySelector(".bar")!.append(make("div", { class: "group" }, centred));
   const multiples = new Multiples((x) => {
     if (swept === over.value) {
       drives[swept].value = x;
@@ -272,7 +261,11 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
   let ground = (_: number) => 0;
   const points = rig.numbers
     .map((parameter) => parameter.path)
-    .filter((path) => /ball_joint\[2\]|tie_rod_(inner|outer)\[2\]/.test(path))
+    .filter((path) =>
+      /(ball_joint|tie_rod_(inner|outer)|pivot|shear_centre|link_body|panhard_body)\[2\]/.test(
+        path,
+      ),
+    )
     .slice(0, 4);
   const sliders = new Sliders(
     rig,
@@ -512,7 +505,7 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       { class: "form" },
       field(tr("Curves over"), over),
       against.element,
-      field(tr("Targets of a study"), chosen),
+      ...(rig.is_dependent ? [] : [field(tr("Targets of a study"), chosen)]),
       field(tr("Show curves with"), filter),
       saveChart(multiples.element, () => `${name}: ${tr("kinematics")}`),
     ),
@@ -553,10 +546,23 @@ export async function show(place: HTMLElement, values: Values): Promise<void> {
       [1, 2, 3],
       tr("x forward, y left, z up; with the changes of this page"),
     ),
-    make("h2", {}, tr("Targets")),
-    wanted.element,
-    make("h2", {}, tr("Design from targets")),
-    design,
+    ...(rig.is_dependent
+      ? [
+          make("h2", {}, tr("K&C")),
+          make(
+            "p",
+            { class: "muted" },
+            tr("Targets of such an axle are rows of its K&C sheet, in a study: "),
+            make("a", { href: address("kc", { rig: name }) }, tr("Show its K&C")),
+            ".",
+          ),
+        ]
+      : [
+          make("h2", {}, tr("Targets")),
+          wanted.element,
+          make("h2", {}, tr("Design from targets")),
+          design,
+        ]),
     same.element,
   );
   if (before) writes.say(before.said);
