@@ -425,14 +425,17 @@ def _known(tangents: Tangents) -> list[str]:
     ]
 
 
-_LOADS = ("lateral_force", "longitudinal_force", "aligning_moment")
+_NOT_FITTED = (
+    "lateral_force", "longitudinal_force", "aligning_moment", "handwheel_angle", "handwheel_torque",
+)  # fmt: skip
+"""Loads of the tests, and readings that friction of the steering falsifies: fitted only if they are asked for."""
 
 
 def _is_fitted(name: str, names: Sequence[str], wanted: Sequence[str] | None) -> bool:
     quantity = quantity_name(name)
     if wanted is not None:
         return name in wanted or quantity in wanted
-    if quantity not in QUANTITIES or quantity in _LOADS or is_of_bushing(name):
+    if quantity not in QUANTITIES or quantity in _NOT_FITTED or is_of_bushing(name):
         return False
     return not (
         quantity == "steer" and name.replace("steer", "toe") in names

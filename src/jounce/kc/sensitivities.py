@@ -92,8 +92,7 @@ def kc_sensitivities(  # noqa: PLR0913 - options of a test
         Paths of numbers of the description; a whole point or bushing, such as ``"hardpoints.tie_rod_inner"``, stands
         for all its numbers. By default all hardpoints, stiffnesses and preloads that the axle is built from.
     quantities : sequence of str, optional
-        Names such as ``"left.toe"``; by default all of the tests except loads of
-        bushings. Angle and torque of the handwheel have no slopes.
+        Names such as ``"left.toe"``; by default all of the tests except loads of bushings.
     to, points, travel, steer, held, handwheel, trail, on
         As in `kc_test`: end of the range (SI or with unit), number of samples, height of the pads and rack travel
         before the test (m), what is held, trail (m) and the axle of a car.

@@ -21,6 +21,8 @@ from jounce.core.types import Array
 from jounce.kc.laboratory import Handwheel, Held, Laboratory
 from jounce.kc.tests import KCTest
 from jounce.kernel import equilibrium as eq
+from jounce.kinematics.column import handwheel_angle, pinion_angle, pinion_curvature
+from jounce.parts.elements import Steering
 
 _FORCE_ROW = 1e-6  # m/N: weight of a height in a row of forces; the kernel weighs heights in N/m by its inverse
 _SMALL = 1e-4  # rad: rotation below which a series is exact
@@ -96,6 +98,7 @@ class Tangents:
 
     def __init__(self, laboratory: Laboratory, parameters: Sequence[str]) -> None:
         self.laboratory, self.count = laboratory, len(parameters)
+        self.parameters = tuple(parameters)
         self.axle = build_axle(laboratory.rig, parameters)
         assembly, controls = self.axle.assembly, len(laboratory.controls)
         self.frictions = [
@@ -391,11 +394,42 @@ class Tangents:
 
     def _rack(self, tangent: Tangent) -> dict[str, Array]:
         element = next(e for e in self.axle.assembly.elements if e.is_control)
-        at, along = element.data[:3], element.data[eq.ALONG : eq.ALONG + 3]
-        apart = tangent.point(self.axle.bodies["rack"], at) - tangent.point(element.first, at)
-        travel = (apart * tangent.direction(element.first, along)).sum(axis=-1)  # in its housing
         place = self.laboratory.multipliers + self.laboratory.controls.index("rack")
-        return {"rack_travel": travel.imag / STEP, "rack_force": tangent.rows[:, place]}
+        own = {
+            "rack_travel": self._travel(element, self.axle.bodies["rack"], tangent).imag / STEP,
+            "rack_force": tangent.rows[:, place],
+        }
+        steering = getattr(self.laboratory.rig, "steering", None)
+        if steering is None or steering.rack_ratio is None:
+            return own
+        driven = self._travel(element, element.second, tangent)
+        force = tangent.settled.multipliers[:, place]
+        return own | self._handwheel(steering, driven, force, own["rack_force"])
+
+    def _travel(self, element: Element, body: int, tangent: Tangent) -> Numbers:
+        """Return the travel of a body along a control's line in the axes of its first body, shape (steps, m)."""
+        at, along = element.data[:3], element.data[eq.ALONG : eq.ALONG + 3]
+        apart = tangent.point(body, at) - tangent.point(element.first, at)
+        return np.asarray((apart * tangent.direction(element.first, along)).sum(axis=-1))
+
+    def _handwheel(
+        self, steering: Steering, driven: Numbers, force: Array, force_slope: Array
+    ) -> dict[str, Array]:
+        """Return slopes of its angle and torque, for a travel of what it drives and a force on it."""
+        assert steering.rack_ratio is not None
+        ratio, share = steering.rack_ratio, 1.0 / (1.0 + (steering.assistance or 0.0))
+        own = [
+            np.array([float(path == f"steering.{name}") for path in self.parameters])
+            for name in ("rack_ratio", "assistance")
+        ]
+        travel = driven[:, :1].real
+        reached = np.where(np.isfinite(travel), travel, 0.0)
+        angle = handwheel_angle(steering, reached)
+        gear, bent = pinion_angle(steering, angle)[1], pinion_curvature(steering, angle)
+        turned = (driven.imag / STEP - travel / ratio * own[0]) / (ratio * gear)
+        carried = force_slope - share * force[:, None] * own[1]
+        torque = carried * ratio * gear + force[:, None] * (own[0] * gear + ratio * bent * turned)
+        return {"handwheel_angle": turned, "handwheel_torque": share * torque}
 
     def _element(self, i: int, element: Element, tangent: Tangent) -> dict[str, Array]:
         name, data = element.name, element.data

@@ -33,6 +33,12 @@ class _Joint:
         slope = np.cos(self.bend) / (np.cos(at) ** 2 + np.cos(self.bend) ** 2 * np.sin(at) ** 2)
         return _behind(at, self.bend) - start, slope
 
+    def curvature(self, angle: Array) -> Array:
+        """Return the slope of the slope, 1/rad."""
+        at, cosine = angle + self.pin, np.cos(self.bend)
+        nearly_one = np.cos(at) ** 2 + cosine**2 * np.sin(at) ** 2
+        return np.asarray(cosine * np.sin(self.bend) ** 2 * np.sin(2.0 * at) / nearly_one**2)
+
 
 def _behind(pin: Array, bend: float) -> Array:
     """Angle after a joint, tan(after) = cos(bend) tan(pin), on the same turn as the pin."""
@@ -92,6 +98,17 @@ def pinion_angle(steering: Steering, handwheel: Array) -> tuple[Array, Array]:
         angle, further = joint.angle_behind(angle)
         slope = slope * further
     return -angle, slope
+
+
+def pinion_curvature(steering: Steering, handwheel: Array) -> Array:
+    """Slope of the slope of `pinion_angle`, 1/rad."""
+    angle = -np.asarray(handwheel, dtype=float)
+    slope, curvature = np.ones_like(angle), np.zeros_like(angle)
+    for joint in [] if steering.column is None else _joints(steering.column):
+        after, further = joint.angle_behind(angle)
+        curvature = joint.curvature(angle) * slope**2 + further * curvature
+        angle, slope = after, slope * further
+    return -curvature
 
 
 def rack_travel(steering: Steering, handwheel: Array) -> tuple[Array, Array]:

@@ -103,6 +103,25 @@ def test_friction_of_an_axle_with_all_compliance() -> None:
     check(rig, "roll", parameters, points=17)
 
 
+@pytest.mark.parametrize("is_soft", [False, True], ids=["stiff column", "soft column"])
+def test_angle_and_torque_of_the_handwheel_have_slopes(is_soft: bool) -> None:
+    column = {"handwheel": [-600, 350, 900], "upper_joint": [-300, 350, 700]}
+    column |= {"lower_joint": [-150, 330, 450], "pinion": [-100, 200, 300]}
+    steering = {
+        "rack_ratio": "8 mm/rad",
+        "column": {k: [1e-3 * x for x in v] for k, v in column.items()},
+    }
+    parameters = PARAMETERS[:2]
+    if is_soft:
+        steering |= {"column_stiffness": "2 N*m/deg", "assistance": 3.0}
+        parameters += ("steering.rack_ratio", "steering.assistance", "steering.column_stiffness")
+    rig = double_wishbone().with_changes({"steering": steering})
+    for test in ("steer", "lateral-in-phase"):
+        rows = jn.kc_sensitivities(rig, test, parameters, points=9)
+        assert {"handwheel_angle", "handwheel_torque"} <= {*rows["quantity"].values}
+        check(rig, test, parameters, points=9)
+
+
 def test_curves_of_bushings_count() -> None:
     table = {"kind": "table", "deflection": ["-1 mm", "-0.2 mm", "0 mm", "0.2 mm", "1 mm"]}
     table |= {"force": ["-9 kN", "-1 kN", "0 N", "1 kN", "9 kN"]}
