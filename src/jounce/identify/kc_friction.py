@@ -42,6 +42,7 @@ class FrictionEffects:
     ) -> None:
         self.rig, self.smooth, self.travel = rig, smooth, travel
         self._weights: dict[tuple[bytes, bytes], tuple[Array, ...]] = {}
+        self.openings: list[float] = []
 
     def of(
         self,
@@ -50,10 +51,13 @@ class FrictionEffects:
         held: Held,
         handwheel: Handwheel,
     ) -> list[Array]:
-        """Return for each curve what friction adds at its nodes, at changed numbers; zero where it cannot be told."""
+        """Return for each curve what friction adds at its nodes, at changed numbers; zero where it cannot be told.
+
+        ``openings`` are then those of the simulated loops, root mean squares.
+        """
         pair = [self._laboratory(rig, changes) for rig in (self.rig, self.smooth)]
         runs: dict[str, list[dict[str, Array]] | None] = {}
-        effects = []
+        effects, self.openings = [], []
         for curve in curves:
             loop = sampled(curve.sweep)
             if curve.test not in runs:
@@ -65,10 +69,12 @@ class FrictionEffects:
             run = runs[curve.test]
             if run is None or loop is None:
                 effects.append(np.zeros(len(curve.inputs)))
+                self.openings.append(0.0)
                 continue
             lines = [self._lines(loop, values[curve.quantity], curve.inputs) for values in run]
             rubbed = lines[0].elastic if curve.is_open else lines[0].mean
             effects.append(_filled(curve.inputs, rubbed - lines[1].mean))
+            self.openings.append(float(np.sqrt(mean_square_opening(lines[0]))))
         return effects
 
     def _lines(self, loop: Array, values: Array, inputs: Array) -> Lines:
@@ -89,6 +95,13 @@ class FrictionEffects:
         return Laboratory(
             axle_of(rig.with_changes(dict(changes)) if changes else rig, None), self.travel
         )
+
+
+def mean_square_opening(lines: Lines) -> float:
+    """Return the mean square of the distance of both branches; 0 where there are no two."""
+    gap = lines.up - lines.down
+    gap = gap[np.isfinite(gap)]
+    return float(np.mean(gap**2)) if gap.size else 0.0
 
 
 def _filled(inputs: Array, effect: Array) -> Array:

@@ -28,7 +28,12 @@ from jounce.core.serialise import Plain
 from jounce.core.types import Array
 from jounce.core.units import to_si
 from jounce.identify.estimate import Estimate, estimate
-from jounce.identify.kc_friction import FrictionCurve, FrictionEffects, strut_friction
+from jounce.identify.kc_friction import (
+    FrictionCurve,
+    FrictionEffects,
+    mean_square_opening,
+    strut_friction,
+)
 from jounce.identify.update import Identifiability, identifiability
 from jounce.kc.laboratory import Handwheel, Held, Laboratory, axle_of
 from jounce.kc.loops import lines_of, noise_of
@@ -65,6 +70,8 @@ _STUCK, _ROUGH = (
 )  # of a loop's opening: error of its mean curve by friction that sticks, smooth and rough
 _RUBBED = 0.1
 """Error of what friction adds to a curve, as a share: of its force, and of slopes that the smooth model has instead."""
+_CLEAR, _UNEXPLAINED = 3.0, 2.0
+"""Opening of a loop that is no noise, in variances of the readings; one that is reported, over the simulated."""
 _TOLD = 0.7  # of the standard deviation before the fit, above which the data do not determine a parameter
 _WIDER = 1.2  # intervals over those of the linear theory: what virtual rigs with friction and a wrong curve needed
 _LARGE = 0.10  # share of model error that is reported
@@ -131,7 +138,7 @@ class _Curve:
     ``reading`` is the standard deviation of the mean reading at each. ``basis`` (k, j) has its shapes, ``friction``
     (j,) their variances by friction, ``shares`` (j,) those by model error as large as the curve's range; ``copies`` is
     the number of curves with the same model error. ``sweep`` has the inputs as measured, ``is_open`` whether friction
-    opens the loop.
+    opens the loop, ``opening`` by how much (root mean square), 0 if that could be noise.
     """
 
     test: str
@@ -146,6 +153,7 @@ class _Curve:
     shares: Array
     copies: float
     is_open: bool
+    opening: float
     sweep: Array
 
 
@@ -493,8 +501,8 @@ def _curve(
     size = max(float(np.ptp(mean)), least)
     is_total = name in totals or quantity_name(name) in totals
     basis, shares = _shapes(nodes.tobytes(), is_total=is_total)
-    gap = (lines.up - lines.down)[np.isfinite(lines.up - lines.down)]
-    opening = max(float(np.mean(gap**2)) - 2.0 * float(sigma) ** 2, 0.0) if gap.size else 0.0
+    opening = max(mean_square_opening(lines) - 2.0 * float(sigma) ** 2, 0.0)
+    is_clear = is_loop and opening > _CLEAR * float(sigma) ** 2
     friction = opening * (_STUCK**2 * shares + _ROUGH**2)
     return _Curve(
         test,
@@ -509,6 +517,7 @@ def _curve(
         shares * size**2,
         copies,
         bool(is_loop),
+        float(np.sqrt(opening)) if is_clear else 0.0,
         sweep,
     )
 
@@ -748,6 +757,7 @@ class _Problem:
             if share > _LARGE
         ]
         findings += [item for item in seen.findings if item.place in estimates]
+        findings += self._open_loops()
         curves = tuple(
             {
                 "test": c.test,
@@ -770,6 +780,19 @@ class _Problem:
             {path: unit_of(rig, path) for path in paths},
             tuple(findings),
         )
+
+    def _open_loops(self) -> list[Finding]:
+        """Report tests whose loops are more open than friction of the description, and of the strut, makes them."""
+        effects = self.model.effects
+        simulated = [0.0] * len(self.curves) if effects is None else effects.openings
+        pairs = zip(self.curves, simulated, strict=True)
+        open_ = [c.test for c, own in pairs if c.opening > _UNEXPLAINED * own]
+        tests = sorted(set(open_), key=list(TESTS).index)
+        if not tests:
+            return []
+        return [
+            finding("identify.kc_loops_open", "friction", len(open_), count=len(open_), tests=tests)
+        ]
 
     def _freedom(self, weight: Array, slopes: Array, covariance: Array) -> float:
         """Return the number of differences that tell the size of model error, less the numbers that were fitted."""

@@ -63,6 +63,22 @@ def test_a_spring_beside_friction_is_found(start: jn.Rig) -> None:
     assert ("identify.kc_friction_estimated" in named) == (start is RIG)
 
 
+@pytest.mark.parametrize("is_stated", [False, True])
+def test_loops_that_friction_of_bushings_opens_are_reported(is_stated: bool) -> None:
+    soft = {
+        "stiffness": ["8 kN/mm", "6 kN/mm", "3 kN/mm"],
+        "rotational_stiffness": ["5 N*m/deg"] * 3,
+    }
+    plain = RIG.with_changes({"bushings": {"lower_arm_front": soft, "lower_arm_rear": soft}})
+    dry = plain.with_changes({"bushings.lower_arm_rear.friction": ["200 N", "200 N", "200 N"]})
+    sheet = {name: jn.kc_test(dry, name, points=21) for name in ("bounce", "lateral-opposed")}
+    free = {"bushings.lower_arm_rear.stiffness[1]": "30 %"}
+    fit = jn.update_kc(dry if is_stated else plain, sheet, free)
+    said = [item for item in fit.findings if item.code == "identify.kc_loops_open"]
+    assert len(said) == (0 if is_stated else 1)
+    assert all("lateral-opposed" in str(item) and "not estimated" in str(item) for item in said)
+
+
 def test_friction_that_holds_the_wheel_does_not_draw_the_numbers_towards_it() -> None:
     """Under aligning moments the wheel moves vertically by 30 µm, a fifth of what it would without friction."""
     rig = jn.load("mcpherson-elastic")
