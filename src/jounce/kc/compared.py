@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _SHARE, _NOISE, _GRID = 0.1, 3.0, 201
+_FEWEST = 3  # inputs of a range that is judged
+_CLEAR = 4.0  # tolerances by which a curve moves whose sign and unit are judged
+_FACTORS = (1e3, 1e-3, float(np.pi / 180.0), float(180.0 / np.pi))
+"""Factors of usual mistakes: m for mm, N for kN, deg for rad."""
 _NUMBERS = {
     "slope_simulated": "slope of the simulated curve",
     "slope_measured": "slope of the measured curve",
@@ -164,12 +168,17 @@ def _compare_test(
     if not high > low:
         findings.append(finding("kc.no_common_range", test))
         return [_not_judged(test, name, ours, unit) for name in shared]
+    if any(_count(data, low, high) < _FEWEST for data in (sweep, reached)):
+        sizes = [f"{float(np.ptp(data)):.3g} {unit}" for data in (reached, sweep)]
+        numbers = {"measured": sizes[0], "simulated": sizes[1]}
+        findings.append(finding("kc.ranges_differ", test, **numbers))
+        return [_not_judged(test, name, ours, unit) for name in shared]
     if high - low < 0.98 * float(np.ptp(reached)):
         share = (high - low) / float(np.ptp(reached))
         findings.append(finding("kc.range_not_covered", test, share, share=share))
     fits = [kc_slopes(data[shared], within=(low, high)) for data in (ours, theirs)]
     grid = np.unique(np.append(np.linspace(low, high, _GRID), 0.0 if low <= 0.0 <= high else low))
-    rows = []
+    rows, pairs = [], {}
     for k, name in enumerate(shared):
         row = _not_judged(test, name, ours, unit) | {"low": low, "high": high}
         for side, fit in zip(("simulated", "measured"), fits, strict=True):
@@ -183,7 +192,55 @@ def _compare_test(
         ]
         allowed = _allowed(test, theirs[name], curves[1], tolerances)
         rows.append(row | _judge(grid, curves[0], curves[1], allowed))
+        pairs[name] = grid, *curves, allowed
+    findings += _mistakes(test, pairs)
     return rows
+
+
+def _count(sweep: Array, low: float, high: float) -> int:
+    """Return the number of different inputs in a range."""
+    digits = 9 - int(np.floor(np.log10(high - low)))
+    return len(np.unique(np.round(sweep[(sweep >= low) & (sweep <= high)], digits)))
+
+
+_Pair = tuple[Array, Array, Array, float]
+"""Inputs, simulated and measured curve, and tolerance."""
+
+
+def _mistakes(test: str, pairs: Mapping[str, _Pair]) -> Iterator[Finding]:
+    """Yield findings for curves outside their tolerance that a usual mistake would bring within it."""
+    wrong = {
+        name: pair
+        for name, pair in pairs.items()
+        if _is_clear(pair) and not _agrees(pair[1], pair[2], pair)
+    }
+    mirrored = [name for name, pair in wrong.items() if _agrees(pair[1], -pair[2], pair)]
+    if mirrored:
+        yield finding("kc.opposite_sign", test, names=mirrored)
+    exchanged = []
+    for quantity in dict.fromkeys(map(quantity_name, wrong)):
+        names = [f"{wheel}.{quantity}" for wheel in WHEELS]
+        both = [pairs[name] for name in names if name in pairs]
+        if len(both) == len(names) and not {*names} & {*mirrored}:
+            swapped = zip(both, reversed(both), strict=True)
+            if all(_agrees(own[1], other[2], other) for own, other in swapped):
+                exchanged.append(quantity)
+    if exchanged:
+        yield finding("kc.other_wheel", test, names=exchanged)
+    for factor in _FACTORS:
+        names = [n for n, pair in wrong.items() if _agrees(pair[1], factor * pair[2], pair, factor)]
+        if names:
+            yield finding("kc.other_unit", test, factor, names=names, factor=factor)
+
+
+def _is_clear(pair: _Pair) -> bool:
+    """Whether the measured curve moves by several times its tolerance, so that its sign and size mean something."""
+    known = pair[2][np.isfinite(pair[2])]
+    return known.size > 0 and float(np.ptp(known)) > _CLEAR * pair[3]
+
+
+def _agrees(ours: Array, theirs: Array, pair: _Pair, factor: float = 1.0) -> bool:
+    return _judge(pair[0], ours, theirs, factor * pair[3]).get("verdict") == "within"
 
 
 def same_inputs(ours: xr.Dataset, theirs: xr.Dataset) -> tuple[Array, Array] | None:

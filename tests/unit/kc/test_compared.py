@@ -182,3 +182,34 @@ def test_a_simulated_axle_measured_on_a_virtual_rig_agrees_with_itself(tmp_path:
     assert str(bounce["verdict"].values) == "outside"
     assert 0.0 < abs(float(bounce["leaves_at"])) < 0.05
     assert str(table.sel(row=("bounce", "left.camber"))["verdict"].values) == "within"
+
+
+def both(left: float, right: float) -> xr.Dataset:
+    data = made(left * X, X)
+    return data.assign({"right.toe": ("sample", right * X, {"units": "rad"})})
+
+
+@pytest.mark.parametrize(
+    ("measured", "code", "names"),
+    [
+        (both(0.1, 0.02), "opposite_sign", ["left.toe"]),
+        (both(0.02, -0.1), "other_wheel", ["toe"]),
+        (both(-1e-4, 0.02), "other_unit", ["left.toe"]),
+        (both(-0.1 * 180.0 / np.pi, 0.02), "other_unit", ["left.toe"]),
+    ],
+)
+def test_a_usual_mistake_is_named(measured: xr.Dataset, code: str, names: list[str]) -> None:
+    allowed = {"toe": "10 %"}
+    found = findings_of(jn.compare_kc(both(-0.1, 0.02), measured, allowed).attrs)
+    assert [(item.code, list(item.numbers["names"])) for item in found] == [(f"kc.{code}", names)]
+
+
+def test_a_curve_that_merely_differs_is_no_mistake() -> None:
+    assert findings_of(jn.compare_kc(both(-0.1, 0.02), both(-0.15, 0.03)).attrs) == []
+
+
+@pytest.mark.parametrize("factor", [1e3, 1e-3])
+def test_an_input_in_another_unit_is_one_finding(factor: float) -> None:
+    table = jn.compare_kc(made(-0.1 * X, X), made(-0.1 * X, factor * X))
+    assert [item.code for item in findings_of(table.attrs)] == ["kc.ranges_differ"]
+    assert set(table["verdict"].values) == {"not judged"}
