@@ -24,6 +24,8 @@ _FEWEST = 3  # inputs of a range that is judged
 _CLEAR = 4.0  # tolerances by which a curve moves whose sign and unit are judged
 _FACTORS = (1e3, 1e-3, float(np.pi / 180.0), float(180.0 / np.pi))
 """Factors of usual mistakes: m for mm, N for kN, deg for rad."""
+_Pair = tuple[Array, Array, Array, float]
+"""Inputs, simulated and measured curve, and tolerance."""
 _NUMBERS = {
     "slope_simulated": "slope of the simulated curve",
     "slope_measured": "slope of the measured curve",
@@ -178,7 +180,8 @@ def _compare_test(
         findings.append(finding("kc.range_not_covered", test, share, share=share))
     fits = [kc_slopes(data[shared], within=(low, high)) for data in (ours, theirs)]
     grid = np.unique(np.append(np.linspace(low, high, _GRID), 0.0 if low <= 0.0 <= high else low))
-    rows, pairs = [], {}
+    rows: list[dict[str, Any]] = []
+    pairs: dict[str, _Pair] = {}
     for k, name in enumerate(shared):
         row = _not_judged(test, name, ours, unit) | {"low": low, "high": high}
         for side, fit in zip(("simulated", "measured"), fits, strict=True):
@@ -192,7 +195,7 @@ def _compare_test(
         ]
         allowed = _allowed(test, theirs[name], curves[1], tolerances)
         rows.append(row | _judge(grid, curves[0], curves[1], allowed))
-        pairs[name] = grid, *curves, allowed
+        pairs[name] = grid, curves[0], curves[1], allowed
     findings += _mistakes(test, pairs)
     return rows
 
@@ -201,10 +204,6 @@ def _count(sweep: Array, low: float, high: float) -> int:
     """Return the number of different inputs in a range."""
     digits = 9 - int(np.floor(np.log10(high - low)))
     return len(np.unique(np.round(sweep[(sweep >= low) & (sweep <= high)], digits)))
-
-
-_Pair = tuple[Array, Array, Array, float]
-"""Inputs, simulated and measured curve, and tolerance."""
 
 
 def _mistakes(test: str, pairs: Mapping[str, _Pair]) -> Iterator[Finding]:
