@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from damper_rows import damper_rows
 from exchange_rows import exchange_rows
 from inspection_rows import inspection_rows
 from kc_rows import kc_rows
@@ -172,6 +173,7 @@ PARTS = (
     update_rows,
     laboratory_rows,
     recording_rows,
+    damper_rows,
     start_rows,
     report_rows,
 )

@@ -80,11 +80,19 @@ class FineCounts:
         """Outer edges of all bins."""
         return self.begin * self.width, (self.begin + self.counts.shape[1]) * self.width
 
-    def shares(self, samples: NDArray[np.int64], width: float, first: int, bins: int) -> Array:
-        """Return the shares in wide bins from ``first * width`` on; the outer ones contain all beyond."""
-        place = np.floor(self.middles / width).astype(np.int64) - first
-        inside = np.bincount(np.clip(place, 0, bins - 1), samples, minlength=bins)
-        return np.asarray(inside / max(float(samples.sum()), 1.0), dtype=float)
+    def in_parts(self, parts: Sequence[NDArray[np.intp]]) -> NDArray[np.int64]:
+        """Return the samples in each bin for parts of the record, given by their atoms."""
+        return np.array([self.counts[rows].sum(axis=0) for rows in parts], dtype=np.int64)
+
+    def shares(self, samples: NDArray[np.int64], borders: Array) -> Array:
+        """Return the shares below, between and above borders, for rows of samples; NaN of a row without any."""
+        sums = np.cumsum(samples, axis=1)
+        places = np.searchsorted(self.middles, borders)
+        padded = np.concatenate([np.zeros((len(sums), 1), np.int64), sums], axis=1)
+        ends = [padded[:, :1], padded[:, places], padded[:, -1:]]
+        with np.errstate(invalid="ignore"):
+            shares = np.diff(np.concatenate(ends, axis=1), axis=1) / padded[:, -1:]
+        return np.asarray(shares, dtype=float)
 
     def quantile(self, share: float, samples: NDArray[np.int64] | None = None) -> float:
         """Return the value below which a share of the samples lies, of the whole record by default."""

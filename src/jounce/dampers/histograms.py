@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, get_args
 
@@ -43,6 +43,7 @@ if TYPE_CHECKING:
 
 ZONES = ("high rebound", "low rebound", "low bump", "high bump")
 """Ranges of velocity, from fast extension to fast compression."""
+_SHIFTED = 1e-3  # m: shift of the model's travel that is named
 _WIDE = 0.05  # change of a share by noise from which it is a warning
 
 TrackRecord = Annotated[
@@ -384,7 +385,7 @@ def damper_histograms(  # noqa: PLR0913 - independent options
     for place, item in enumerate([*items, *([] if beside is None else [beside])]):
         is_model = place == len(items)
         try:
-            track = read_track(item, options)
+            track = read_track(item, replace(options, division="whole") if is_model else options)
             made, more = count_track(track, wanted, low, longest, is_model=is_model)
         except JounceError as error:
             if is_model:
@@ -404,6 +405,8 @@ def damper_histograms(  # noqa: PLR0913 - independent options
             where="records",
             found="; ".join(item.message for item in findings[:3]) or "nothing",
         )
+    if counted[-1].is_model:
+        counted[-1] = _at_level(counted[-1], own[0], findings)
     return _assembled(_with_own_names(counted), low, findings)
 
 
@@ -461,6 +464,27 @@ def _with_own_names(counted: Sequence[CountedTrack]) -> dict[str, CountedTrack]:
     return named
 
 
+def _at_level(model: CountedTrack, track: CountedTrack, findings: list[Finding]) -> CountedTrack:
+    """Shift the travel of a model to the mean of a record, because sensors and models have different zeros."""
+    corners, shifts = dict(model.corners), list[float]()
+    for corner, item in model.corners.items():
+        other = track.corners.get(corner)
+        if item.travel is None or other is None or other.travel is None:
+            continue
+        means = [
+            float(t.total @ t.middles) / float(t.total.sum()) for t in (other.travel, item.travel)
+        ]
+        bins = round((means[0] - means[1]) / item.travel.width)
+        shifts.append(bins * item.travel.width)
+        travel = replace(item.travel, begin=item.travel.begin + bins)
+        extremes = item.extremes + np.array([shifts[-1], shifts[-1], 0.0, 0.0])
+        corners[corner] = replace(item, travel=travel, extremes=extremes)
+    if shifts and max(map(abs, shifts)) > _SHIFTED:
+        least, most = min(shifts), max(shifts)
+        findings.append(finding("dampers.model_shifted", model.name, most, least=least, most=most))
+    return replace(model, corners=corners)
+
+
 def _assembled(
     counted: Mapping[str, CountedTrack], low: float, findings: list[Finding]
 ) -> DamperHistograms:
@@ -489,20 +513,18 @@ def _assembled(
             item = track.corners.get(corner)
             if item is None:
                 continue
-            for s, section in enumerate(sections):
-                rows = track.sections.get(section, _NO_ROWS)
-                samples = item.velocity.counts[rows].sum(axis=0)
-                if not samples.any():
-                    continue
-                made["velocity_share"][t, s, c] = velocity.shares(item.velocity, samples)
-                made["zone_share"][t, s, c] = _zones(item.velocity, samples, low)
-                if item.travel is not None:
-                    places = item.travel.counts[rows].sum(axis=0)
-                    made["travel_share"][t, s, c] = travel.shares(item.travel, places)
-                for name, value in _statistics(item, rows).items():
-                    made[name][t, s, c] = value
-                seconds = float(samples.sum()) / track.rate
-                made["duration"][t, s] = np.fmax(made["duration"][t, s], seconds)
+            own = [section in track.sections for section in sections]
+            parts = [rows for section, rows in track.sections.items() if section in sections]
+            samples = item.velocity.in_parts(parts)
+            made["velocity_share"][t, own, c] = item.velocity.shares(samples, velocity.borders)
+            made["zone_share"][t, own, c] = _zones(item.velocity, samples, low)
+            if item.travel is not None:
+                places = item.travel.in_parts(parts)
+                made["travel_share"][t, own, c] = item.travel.shares(places, travel.borders)
+            for name, values in _statistics(item, samples, parts).items():
+                made[name][t, own, c] = values
+            seconds = samples.sum(axis=1) / track.rate
+            made["duration"][t, own] = np.fmax(made["duration"][t, own], seconds)
             made["zone_share_half"][t, c] = _half_widths(item.velocity, track.pieces, low)
             made["velocity_noise"][t, c] = item.noise
             effect = _noise_effect(item.velocity, item.noise, low)
@@ -529,7 +551,7 @@ def _assembled(
         name: next((item.cut for item in track.corners.values() if item.cut), None)
         for name, track in counted.items()
     }
-    places = {
+    measured_at = {
         corner: str(track.corners[corner].trace.place)
         for track in reversed(tracks)
         for corner in corners
@@ -540,13 +562,12 @@ def _assembled(
         low,
         {name: 0.0 if cut is None else cut.cutoff for name, cut in cuts.items()},
         {name: 0.0 if cut is None else cut.passband for name, cut in cuts.items()},
-        {corner: places[corner] for corner in corners},
+        {corner: measured_at[corner] for corner in corners},
         model,
         tuple(findings),
     )
 
 
-_NO_ROWS: NDArray[np.intp] = np.empty(0, np.intp)
 _STATISTICS = {
     "mean_travel": "m", "least_travel": "m", "largest_travel": "m", "rms_velocity": "m/s",
     "mean_bump_velocity": "m/s", "mean_rebound_velocity": "m/s", "largest_bump_velocity": "m/s",
@@ -585,9 +606,10 @@ class _Bins:
     first: int
     count: int
 
-    def shares(self, counts: FineCounts, samples: NDArray[np.int64]) -> Array:
-        """Return the share of samples in each bin."""
-        return counts.shares(samples, self.width, self.first, self.count)
+    @property
+    def borders(self) -> Array:
+        """Edges between bins; the outer bins are open."""
+        return np.asarray((self.first + np.arange(1, self.count)) * self.width, dtype=float)
 
     def axis(self, name: str, unit: str) -> tuple[str, Array, dict[str, str]]:
         """Return the middles of the bins, as a coordinate."""
@@ -621,40 +643,52 @@ def _travel_bins(items: Sequence[CountedCorner]) -> _Bins:
 
 
 def _zones(velocity: FineCounts, samples: NDArray[np.int64], low: float) -> Array:
-    return velocity.shares(samples, low, -2, len(ZONES))
+    return velocity.shares(samples, np.array([-low, 0.0, low]))
 
 
 def _half_widths(velocity: FineCounts, pieces: Sequence[NDArray[np.intp]], low: float) -> Array:
     """Return the half widths of 95 % intervals of the zones' shares, from the scatter of pieces."""
-    samples = [velocity.counts[rows].sum(axis=0) for rows in pieces]
-    shares = np.array([_zones(velocity, part, low) for part in samples if part.any()])
-    if len(shares) < 2:
+    shares = _zones(velocity, velocity.in_parts(pieces), low)
+    known = shares[np.isfinite(shares[:, 0])]
+    if len(known) < 2:
         return np.full(len(ZONES), np.nan)
-    error = shares.std(axis=0, ddof=1) / math.sqrt(len(shares))
-    return np.asarray(student_factor(len(shares) - 1) * error, dtype=float)
+    error = known.std(axis=0, ddof=1) / math.sqrt(len(known))
+    return np.asarray(student_factor(len(known) - 1) * error, dtype=float)
 
 
-def _statistics(item: CountedCorner, rows: NDArray[np.intp]) -> dict[str, float]:
-    """Return means and extremes of a section."""
-    samples, middles = item.velocity.counts[rows].sum(axis=0), item.velocity.middles
+def _statistics(
+    item: CountedCorner, samples: NDArray[np.int64], parts: Sequence[NDArray[np.intp]]
+) -> dict[str, Array]:
+    """Return means and extremes of parts of the record; NaN of those without samples."""
+    middles = item.velocity.middles
 
-    def mean(inside: NDArray[np.bool_]) -> float:
-        count = float(samples[inside].sum())
-        return float(samples[inside] @ middles[inside]) / count if count else math.nan
+    def mean(values: Array, counts: NDArray[np.int64]) -> Array:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.asarray(counts @ values / counts.sum(axis=1), dtype=float)
 
+    ends = np.array([_ends(item.extremes[rows]) for rows in parts])
+    bump, rebound = middles > 0.0, middles < 0.0
     statistics = {
-        "rms_velocity": math.sqrt(float(samples @ middles**2) / float(samples.sum())),
-        "mean_bump_velocity": mean(middles > 0.0),
-        "mean_rebound_velocity": mean(middles < 0.0),
-        "largest_bump_velocity": max(0.0, float(np.nanmax(item.extremes[rows, 3]))),
-        "largest_rebound_velocity": min(0.0, float(np.nanmin(item.extremes[rows, 2]))),
+        "rms_velocity": np.sqrt(mean(middles**2, samples)),
+        "mean_bump_velocity": mean(middles[bump], samples[:, bump]),
+        "mean_rebound_velocity": mean(middles[rebound], samples[:, rebound]),
+        "largest_bump_velocity": np.maximum(ends[:, 3], 0.0),
+        "largest_rebound_velocity": np.minimum(ends[:, 2], 0.0),
     }
     if item.travel is not None:
-        places = item.travel.counts[rows].sum(axis=0)
-        statistics["mean_travel"] = float(places @ item.travel.middles) / float(places.sum())
-        statistics["least_travel"] = float(np.nanmin(item.extremes[rows, 0]))
-        statistics["largest_travel"] = float(np.nanmax(item.extremes[rows, 1]))
+        statistics["mean_travel"] = mean(item.travel.middles, item.travel.in_parts(parts))
+        statistics["least_travel"], statistics["largest_travel"] = ends[:, 0], ends[:, 1]
     return statistics
+
+
+def _ends(extremes: Array) -> Array:
+    """Return the least and the largest travel and velocity of atoms; NaN without samples."""
+    least, most = (
+        np.fmin.reduce(extremes[:, ::2], initial=math.inf),
+        np.fmax.reduce(extremes[:, 1::2], initial=-math.inf),
+    )
+    ends = np.array([least[0], most[0], least[1], most[1]])
+    return np.where(np.isfinite(ends), ends, np.nan)
 
 
 def _noise_effect(velocity: FineCounts, noise: float, low: float) -> Array:
@@ -678,18 +712,26 @@ def _noise_effect(velocity: FineCounts, noise: float, low: float) -> Array:
 def _balance(data: xr.Dataset) -> dict[str, Any]:
     """Return the front minus the rear: zone shares, and the ratio of velocities."""
     corners = [str(name) for name in data["corner"].to_numpy()]
-    ends = [[name for name in corners if name.startswith(axle)] for axle in AXLES]
-    if not all(ends):
+    ends = [[name.startswith(axle) for name in corners] for axle in AXLES]
+    if not all(map(any, ends)):
         return {}
-    shares = [data["zone_share"].sel(corner=names).mean("corner") for names in ends]
-    squares = [(data["rms_velocity"].sel(corner=names) ** 2).mean("corner") for names in ends]
-    balance, ratio = shares[0] - shares[1], (squares[0] / squares[1]) ** 0.5
+    zones, speeds = data["zone_share"].to_numpy(), data["rms_velocity"].to_numpy()
+    shares = [_mean_of_known(zones[:, :, end]) for end in ends]
+    squares = [_mean_of_known(np.square(speeds[:, :, end])) for end in ends]
+    words = {"units": "1", "long_name": "zone share, front minus rear"}
+    ratio = {"units": "1", "long_name": "r.m.s. velocity, front over rear"}
     return {
-        "balance": balance.assign_attrs(units="1", long_name="zone share, front minus rear"),
-        "velocity_ratio": ratio.assign_attrs(
-            units="1", long_name="r.m.s. velocity, front over rear"
-        ),
+        "balance": (("record", "section", "zone"), shares[0] - shares[1], words),
+        "velocity_ratio": (("record", "section"), np.sqrt(squares[0] / squares[1]), ratio),
     }
+
+
+def _mean_of_known(values: Array) -> Array:
+    """Return the mean over corners, the third axis, of those that are known; NaN without any."""
+    known = np.isfinite(values)
+    with np.errstate(invalid="ignore"):
+        mean = np.where(known, values, 0.0).sum(axis=2) / known.sum(axis=2)
+    return np.asarray(mean, dtype=float)
 
 
 def _overlaps(data: xr.Dataset, model: str) -> dict[str, Any]:

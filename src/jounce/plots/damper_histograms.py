@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from jounce.core.display import display_unit
-from jounce.core.numbers import number
+from jounce.core.display import DisplayUnit, display_unit_for, size
 from jounce.dampers.corners import AXLES
 from jounce.dampers.histograms import ZONES, edges_of
 from jounce.plots.figures import AFTER, INK, MUTED, PALETTE, in_style, legend_outside, new_figure
@@ -53,13 +52,13 @@ def damper_histogram_bars(
     >>> travel = 0.01 * np.sin(12.0 * t)
     >>> made = jn.damper_histograms(jn.recording(t, {"front_left.damper.travel": (travel, "m", "")}))
     >>> jn.plots.figure_of(made).axes[0].get_xlabel()
-    'velocity, bump positive [m/s]'
+    'velocity, bump positive [mm/s]'
     """
     corners = result.corners
     rows, columns = _layout(corners)
     figure = new_figure(0.6 + 2.3 * rows, 7.6 if columns > 1 else 4.6)
     panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
-    unit = display_unit("m/s" if quantity == "velocity" else "m", 0.1)
+    unit = unit_of(quantity)
     edges = edges_of(result.data[quantity].to_numpy()) * unit.factor
     used = set()
     for k, corner in enumerate(corners):
@@ -85,6 +84,16 @@ def damper_histogram_bars(
     handles, labels = panels[_place(corners[0], 0, corners)].get_legend_handles_labels()
     legend_outside(figure, handles, labels, 3)
     return figure
+
+
+def unit_of(quantity: str) -> DisplayUnit:
+    """Return the unit in which a travel (m) or velocity (m/s) of dampers is shown: mm or mm/s, in or in/s.
+
+    >>> unit_of("velocity").label("velocity"), unit_of("travel").factor
+    ('velocity [mm/s]', 1000.0)
+    """
+    unit = display_unit_for("mm/s" if quantity == "velocity" else "mm")
+    return DisplayUnit(unit.name, 1e3 * unit.factor)
 
 
 def corner_words(corner: str) -> str:
@@ -139,10 +148,10 @@ def _draw(
         axes.stairs(shares, edges, fill=True, color=_HIGH, alpha=0.75, label=record)
     else:
         middles = 0.5 * (edges[1:] + edges[:-1])
-        low = result.low_speed * display_unit("m/s", 0.1).factor
+        low = result.low_speed * unit_of(quantity).factor
         is_low = np.abs(middles) < low * (1.0 + 1e-9)
         width = edges[1] - edges[0]
-        words = f"{number(result.low_speed * 1e3, 3)} mm/s"
+        words = size(1e3 * result.low_speed, "mm/s")
         for mask, colour, label in (
             (is_low, _LOW, f"{record}: up to {words}"),
             (~is_low, _HIGH, "faster"),

@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from jounce.core.display import display_unit, size
+from jounce.core.display import size
 from jounce.core.numbers import number
 from jounce.core.tables import TextTable
 from jounce.dampers.histograms import ZONES
 from jounce.plots.damper_histograms import (
     corner_words,
     damper_histogram_bars,
+    unit_of,
     zones_over_sections,
 )
 from jounce.report.page import (
@@ -45,8 +46,10 @@ def damper_histogram_page(result: DamperHistograms, *, title: str) -> Page:
     Page
         Page to be written with :data:`jounce.report.REPORTS`.
     """
-    velocity = "Share of time over velocity for each corner; bump is positive."
-    travel = "Share of time over travel for each corner; bump is positive."
+    velocity = (
+        "Share of time over velocity for each corner; the outer bins contain all that is faster."
+    )
+    travel = "Share of time over travel for each corner."
     blocks: list[Block] = [
         as_table(_zones(result)),
         Paragraph(_how(result), "muted"),
@@ -94,6 +97,15 @@ def _how(result: DamperHistograms) -> str:
     )
 
 
+def _table(
+    caption: str, header: tuple[str, ...], rows: list[tuple[str, ...]], texts: int
+) -> TextTable:
+    """Make a table whose first column names the record; without it if all rows are of the same."""
+    if len({row[0] for row in rows}) == 1 and texts > 1:
+        header, rows, texts = header[1:], [row[1:] for row in rows], texts - 1
+    return TextTable(caption, header, rows, texts=tuple(range(texts)))
+
+
 def _percent(share: float, digits: int = 1) -> str:
     return "–" if not np.isfinite(share) else f"{100.0 * share:.{digits}f}".replace("-", "−")
 
@@ -122,7 +134,7 @@ def _zones(result: DamperHistograms) -> TextTable:
                 _percent(noise[1] + noise[2], 2),
             )
             rows.append(row)
-    header = ("record", "corner", *ZONES, "low speed", "bump", "noise in low speed")
+    header = ("record", "corner", *ZONES, "low speed", "bump", "noise adds to low speed")
     return TextTable(
         "Shares of time by velocity, %, with 95 % intervals", header, rows, texts=(0, 1)
     )
@@ -135,7 +147,7 @@ def _balance(result: DamperHistograms) -> TextTable:
         cells = [_percent(float(share)).replace("–", "") for share in own["balance"].to_numpy()]
         rows.append((record, *cells, number(float(own["velocity_ratio"]), 3)))
     header = ("record", *ZONES, "r.m.s. velocity, front over rear")
-    return TextTable("Balance: shares of the front minus those of the rear, %", header, rows)
+    return _table("Balance: shares of the front minus those of the rear, %", header, rows, 1)
 
 
 def _beside(result: DamperHistograms) -> TextTable:
@@ -154,13 +166,11 @@ def _beside(result: DamperHistograms) -> TextTable:
             ]
             rows.append((record, corner_words(corner), *cells))
     header = ("record", "corner", "velocity", "travel")
-    return TextTable(
-        "Common area with the model's histogram, % (100: the same)", header, rows, texts=(0, 1)
-    )
+    return _table("Common area with the model's histogram, % (100: the same)", header, rows, 2)
 
 
 def _motion(result: DamperHistograms) -> TextTable:
-    travel, speed = display_unit("m", 0.05), display_unit("m/s", 0.5)
+    travel, speed = unit_of("travel"), unit_of("velocity")
     names = {
         "mean_travel": travel,
         "least_travel": travel,
@@ -195,7 +205,7 @@ def _motion(result: DamperHistograms) -> TextTable:
         "corner",
         *(unit.label(label) for label, unit in zip(labels, names.values(), strict=True)),
     )
-    return TextTable("Travel and velocity", header, rows, texts=(0, 1))
+    return _table("Travel and velocity", header, rows, 2)
 
 
 def _sections(result: DamperHistograms) -> TextTable:
@@ -217,4 +227,4 @@ def _sections(result: DamperHistograms) -> TextTable:
                         )
                     )
     header = ("record", "section", "corner", "time [s]", *ZONES)
-    return TextTable("Shares of time by velocity, %", header, rows, texts=(0, 1, 2))
+    return _table("Shares of time by velocity, %", header, rows, 3)

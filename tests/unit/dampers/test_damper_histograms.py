@@ -225,6 +225,9 @@ def test_a_model_beside_is_counted_in_the_same_bins() -> None:
     same = jn.damper_histograms(run, beside=run)
     assert same.records == ["recording", "model"]
     assert same.data["velocity_overlap"].to_numpy() == pytest.approx(1.0)
+    raised = jn.damper_histograms(run, beside=recorded({"front_left": 0.1 + rough(1, 0.05)}))
+    assert raised.data["travel_overlap"].to_numpy() == pytest.approx(1.0, abs=0.05)
+    assert "model_shifted" in codes(raised)
     other = jn.damper_histograms(run, beside=recorded({"front_left": rough(2, 0.2)}))
     assert (other.data["velocity_overlap"].sel(record="recording") < 0.6).all()
     refused = jn.damper_histograms(run, beside=recorded({"sprung.z": rough(1, 0.1)}))
