@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jounce.core.errors import DescriptionError, JounceError, RecordingError, unknown
-from jounce.core.files import matching_files
+from jounce.core.files import existing_file, matching_files
 from jounce.core.findings import Finding, finding
 from jounce.core.operation import File, Mark, Number, Pairs, Texts, operation
 from jounce.core.serialise import Plain, plain_table
@@ -322,7 +322,7 @@ def damper_histograms(  # noqa: PLR0913 - independent options
     Raises
     ------
     RecordingError
-        If no record can be used.
+        If no record can be used, or the run beside cannot be.
     DescriptionError
         If an option is out of range or names no corner.
 
@@ -382,15 +382,14 @@ def damper_histograms(  # noqa: PLR0913 - independent options
     counted: list[CountedTrack] = []
     errors: list[JounceError] = []
     items = _items(records)
-    for place, item in enumerate([*items, *([] if beside is None else [beside])]):
+    for place, item in enumerate([*items, *([] if beside is None else [_existing(beside)])]):
         is_model = place == len(items)
         try:
             track = read_track(item, replace(options, division="whole") if is_model else options)
             made, more = count_track(track, wanted, low, longest, is_model=is_model)
         except JounceError as error:
             if is_model:
-                findings.append(finding("dampers.beside_left_out", "beside", error=error))
-                continue
+                raise
             errors.append(error)
             findings.append(left_out(_name_of(item), error))
             continue
@@ -438,10 +437,16 @@ def _items(records: Any) -> list[Any]:
         items = list(records)
     else:
         items = [records]
-    paths = [item for item in items if isinstance(item, str)]
-    if len(paths) == len(items):
-        return list(matching_files(paths, "FILE"))
-    return items
+    taken: list[Any] = []
+    for item in items:
+        is_file = isinstance(item, str | Path)
+        taken += matching_files([str(item)], "FILE") if is_file else [item]
+    return [_existing(item) for item in taken]
+
+
+def _existing(item: Any) -> Any:
+    """Refuse the name of a file that does not exist: that is no bad file, but a mistyped option."""
+    return existing_file(item, RecordingError) if isinstance(item, str | Path) else item
 
 
 def _name_of(item: Any) -> str:

@@ -230,8 +230,8 @@ def test_a_model_beside_is_counted_in_the_same_bins() -> None:
     assert "model_shifted" in codes(raised)
     other = jn.damper_histograms(run, beside=recorded({"front_left": rough(2, 0.2)}))
     assert (other.data["velocity_overlap"].sel(record="recording") < 0.6).all()
-    refused = jn.damper_histograms(run, beside=recorded({"sprung.z": rough(1, 0.1)}))
-    assert (codes(refused)[-1], refused.beside) == ("beside_left_out", "")
+    with pytest.raises(RecordingError, match="no travel of a damper"):
+        jn.damper_histograms(run, beside=recorded({"sprung.z": rough(1, 0.1)}))
 
 
 # what is found --------------------------------------------------------------------------------------------------------
@@ -459,6 +459,9 @@ def test_one_bad_file_is_a_finding_and_none_good_is_an_error(tmp_path: Path) -> 
     assert (made.records, "file_left_out" in codes(made)) == (["good.csv"], True)
     with pytest.raises(RecordingError, match="no travel of a damper"):
         jn.damper_histograms(str(bad))
+    for wrong in ({"records": [good, "lost.csv"]}, {"records": good, "beside": "lost.nc"}):
+        with pytest.raises(RecordingError, match="no such file"):
+            jn.damper_histograms(**wrong)
     both = jn.damper_histograms([str(good), str(good)])
     assert both.records == ["good.csv", "good.csv (2)"]
 
