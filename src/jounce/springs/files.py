@@ -83,7 +83,7 @@ def read_press_files(
     >>> read_press_files(["no-such.csv"])
     Traceback (most recent call last):
         ...
-    jounce.core.errors.RecordingError: FILE: no file matches; found 'no-such.csv'. Check the folder and the pattern.
+    jounce.core.errors.RecordingError: no-such.csv: no such file. Check the path and the name.
     """
     table = TableFormat(columns=columns or {}, variable=variable)
     return [_read(path, table) for path in dyno_paths(measured)]

@@ -41,6 +41,7 @@ _NEARLY = (
     0.02  # by which a speed may lie outside of the measured ones, as they are measured themselves
 )
 _LEVEL = student_factor(math.inf)
+_KNEES = {"helper": "springs.helper", "bind": "springs.bind", "knee": "springs.knee"}
 
 
 @dataclass(frozen=True)
@@ -510,7 +511,7 @@ def _advice(made: SpringMap, presses: Sequence[Press]) -> Iterator[Finding]:
     for knee in made.knees:
         low, high = knee.deflection.interval or (knee.deflection.value,) * 2
         yield finding(
-            f"springs.{knee.kind}", "curve", knee.deflection.value,
+            _KNEES[knee.kind], "curve", knee.deflection.value,
             deflection=knee.deflection.value, low=low, high=high, force=knee.force.value,
         )  # fmt: skip
     if not curve.has_unloading:

@@ -357,8 +357,9 @@ def find_crossings(excess: Callable[[float], float], grid: Array) -> list[tuple[
 
     Examples
     --------
-    >>> find_crossings(lambda x: (x - 2.03) * (4.0 - x), np.linspace(1.0, 5.0, 5))
-    [(2.03, True), (4.0, False)]
+    >>> found = find_crossings(lambda x: (x - 2.03) * (4.0 - x), np.linspace(1.0, 5.0, 5))
+    >>> [(round(x, 1), is_positive_above) for x, is_positive_above in found]
+    [(2.0, True), (4.0, False)]
     """
     points = [(float(x), excess(float(x))) for x in grid]
     inside: list[tuple[float, float]] = []
