@@ -221,13 +221,13 @@ def compare_dampers(
     >>> import tempfile, pathlib
     >>> import jounce as jn
     >>> folder = pathlib.Path(tempfile.mkdtemp())
-    >>> for name, coefficient in (("left", 1000.0), ("right", 1090.0)):
+    >>> for name, coefficient in (("left", 1000.0), ("right", 1100.0)):
     ...     forces = [(v, coefficient * v) for v in (-0.2, -0.1, 0.1, 0.2)]
-    ...     rows = [f"{v},{force},{force - 2.0},{force + 2.0}" for v, force in forces]
+    ...     rows = [f"{v},{force},{force - 1.0},{force + 1.0}" for v, force in forces]
     ...     _ = (folder / f"{name}.csv").write_text("\n".join(["velocity,force,low,high", *rows]))
     >>> pair = jn.compare_dampers(folder / "left.csv", folder / "right.csv", tolerance="5 %", tolerance_force=5.0)
     >>> pair.verdict, [item.verdict for item in pair.forces], round(pair.worst.difference.value)
-    ('outside', ['cannot be told', 'within', 'within', 'cannot be told'], -18)
+    ('outside', ['outside', 'cannot be told', 'cannot be told', 'outside'], -20)
     """
     given = (first, second)
     maps = (as_damper_map(first), as_damper_map(second))

@@ -103,7 +103,10 @@ class DamperMap(Plain):
 
     @property
     def damper(self) -> dict[str, Any]:
-        """Table to write under ``strut.damper``, SI: over clicks if several were measured, set to the middle ones."""
+        """Table to write under ``strut.damper``, SI: over clicks if one adjuster was moved, set to the middle ones.
+
+        Of several adjusters it is the first setting; :func:`jounce.choose_clicks` gives the table of any other.
+        """
         if not self.clicks:
             return self.settings[0].damper
         rows = []
@@ -210,8 +213,8 @@ def damper_map(
         Records with ``displacement`` (m) and ``force`` (N) over time (s), and ``velocity`` (m/s) if recorded; folders
         of them.
     settings : str, Path or mapping, optional
-        Table with a column ``file`` and columns ``clicks``, ``temperature`` and ``gas pressure``; or these by the name
-        of each file, SI or with a unit.
+        Table with a column ``file`` and columns ``clicks`` (of several adjusters ``bump clicks``, ``low-speed rebound
+        clicks``, ...), ``temperature`` and ``gas pressure``; or these by the name of each file, SI or with a unit.
     reading : {"peak", "continuous"}, optional
         Read one point a cycle at peak velocity (PVP), or the whole loop (CVP). By default "peak" if every setting was
         run at three peak velocities or more.

@@ -272,8 +272,8 @@ def chosen_clicks(result: ChosenClicks, title: str = "") -> Figure:
     >>> rows = "".join(f"\n{c},{v},{v * (900 - 50 * c)}" for c in (0, 8) for v in (-0.3, -0.1, 0.1, 0.3))
     >>> _ = file.write_text("clicks,velocity,force" + rows)
     >>> figure = jn.plots.figure_of(jn.choose_clicks(file, {"coefficient": 700.0}))
-    >>> figure.axes[0].get_ylabel(), figure.axes[1].get_title()
-    ('force [N]', 'left over')
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['force [N]', 'left over [N]']
     """
     speed = display_unit("m/s", float(np.abs(result.velocity).max()))
     x = result.velocity * speed.factor
@@ -318,8 +318,8 @@ def chosen_clicks(result: ChosenClicks, title: str = "") -> Figure:
         _cross(axes)
         axes.set_xlabel(speed.label("velocity, bump positive"))
     left.set_ylabel("damping ratio at the wheel" if wheel is not None else unit.label("force"))
+    right.set_ylabel("left over" if wheel is not None else unit.label("left over"))
     left.set_title(title or "target and best")
-    right.set_title("left over")
     legend_above(left, 2)
     legend_above(right, 2)
     return figure
