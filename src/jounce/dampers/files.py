@@ -109,6 +109,8 @@ def dyno_files_in_python(measured: Sequence[str], **options: Any) -> str:
 def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:
     """Return files as they are, and of each folder the files whose ending is that of a recording.
 
+    A table of settings and maps that were written here before are no records.
+
     Raises
     ------
     RecordingError
@@ -123,7 +125,9 @@ def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:
         inside = sorted(
             item
             for item in path.rglob("*")
-            if item.suffix.lower() in endings and item.is_file() and item.stem.lower() != "settings"
+            if item.suffix.lower() in endings
+            and item.is_file()
+            and not (item.stem.lower() == "settings" or is_written_map(item))
         )
         if not inside:
             raise RecordingError(
@@ -131,6 +135,17 @@ def dyno_paths(measured: Sequence[str | Path]) -> list[Path]:
             )
         paths += inside
     return paths
+
+
+def is_written_map(file: Path) -> bool:
+    """Whether a file is a map as :meth:`jounce.DamperMap.table` writes it: a result, no measurement."""
+    if file.suffix.lower() != ".csv":
+        return False
+    with file.open("rb") as stream:
+        return _OF_MAPS in stream.readline(1000)
+
+
+_OF_MAPS = b"force [N],low [N],high [N],gas force [N],gas force low [N]"
 
 
 def as_dyno_files(
@@ -149,6 +164,12 @@ def as_dyno_files(
 
 def _read(path: Path, **options: Any) -> Sequence[DynoFile]:
     """Read a file by the names of its channels, else as a dyno's export."""
+    if is_written_map(path):
+        return [
+            UnreadFile(
+                path, RecordingError("this is a map, no record", where=path.name, hint=_MAPS)
+            )
+        ]
     try:
         record = chosen_file(str(path), **options)
         damper_channels(record.data, where=str(path))
@@ -158,6 +179,9 @@ def _read(path: Path, **options: Any) -> Sequence[DynoFile]:
         except JounceError as reason:
             return [UnreadFile(path, error if options.get("columns") else reason)]
     return [record]
+
+
+_MAPS = "Read it with read_damper_map, or give it to a command that takes a map."
 
 
 def settings_in_name(name: str) -> dict[str, float]:

@@ -128,6 +128,19 @@ def test_a_damper_that_only_rubs_is_called_so():
     assert not any("limits" in str(each) for each in made.findings)
 
 
+def test_a_map_written_beside_its_records_is_no_record(tmp_path):
+    for frequency in (1.0, 2.0, 3.0):
+        jn.write_recording(rubbing(frequency, ".9g"), tmp_path / f"{frequency}.nc")
+    made = jn.damper_map(tmp_path)
+    table = tmp_path / "map.csv"
+    table.write_text(made.table(), encoding="utf-8")
+    again = jn.damper_map(tmp_path)
+    assert again.findings == made.findings
+    assert again.table() == made.table()
+    with pytest.raises(FitError, match="a map, no record"):
+        jn.damper_map([table])
+
+
 def test_a_stroke_out_of_range_is_still_told():
     record = rubbing(1.0, ".5g")
     cut = record["displacement"].clip(-0.019, 0.019)
