@@ -64,7 +64,7 @@ def differentiator(rate: float, cutoff: float) -> Differentiator:
 
     >>> made = differentiator(1000.0, 60.0)
     >>> len(made.kernel), round(made.passband), round(made.noise_gain, 1)
-    (63, 33, 66.2)
+    (63, 31, 66.2)
     """
     corner = cutoff / rate
     width = min(corner, 2.0 * (0.5 - corner))  # from passband to stopband, in cycles a sample
