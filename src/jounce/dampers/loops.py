@@ -93,7 +93,7 @@ def is_closed(displacement: Array) -> bool:
     away = float(displacement[-1] - displacement[0])
     begins, ends = displacement[some] - displacement[0], displacement[-1] - displacement[-1 - some]
     turns = abs(float(begins)) + abs(float(ends)) + _OPEN * float(np.ptp(displacement))
-    return abs(away) < turns and begins * ends >= 0.0
+    return bool(abs(away) < turns and begins * ends >= 0.0)
 
 
 _OPEN = 0.01  # share of the stroke
