@@ -240,7 +240,7 @@ class SolidAxleHardpoints(AxleHardpoints):
 
 
 class SolidAxleBushings(AxleBushings):
-    """Bushings of a solid axle."""
+    """Rubber at the hardpoints of a solid axle and its links; each that is missing is an ideal joint."""
 
     lower_link_axle: Bushing | None = None
     lower_link_body: Bushing | None = None
@@ -343,7 +343,7 @@ class TwistBeamHardpoints(AxleHardpoints):
 
 
 class TwistBeamBushings(AxleBushings):
-    """Bushings of a twist beam."""
+    """Rubber at the pivots and struts of a twist beam; each that is missing is an ideal joint."""
 
     pivot: Bushing | None = None
 
