@@ -754,6 +754,8 @@ def _columns(
     """Columns of all rows, and remarks on their interpretation; refuse rows whose length differs from the header."""
     heads = header[:-1] if header[-1] == "" else header
     values, comma = _plain_numbers(rows, len(heads), separator), False
+    if values is None and all(_is_quoted(row, len(heads)) for row in rows):
+        values = _plain_numbers([row.replace('"', "") for row in rows], len(heads), separator)
     if values is None and separator != "," and not any("." in row for row in rows):
         values = _plain_numbers([row.replace(",", ".") for row in rows], len(heads), separator)
         comma = values is not None and any("," in row for row in rows)
@@ -924,6 +926,11 @@ def _thousands(cells: Sequence[str], lines: Sequence[int], where: str) -> Record
     return _either(f"{cell!r} (line {line})", where, ", and other cells are whole numbers")
 
 
+def _is_quoted(row: str, cells: int) -> bool:
+    """Whether each cell of a row has its own pair of quotes, so that it may be read without them."""
+    return row.count('"') == 2 * cells and '""' not in row
+
+
 def _has_mark(cell: str) -> bool:
     return "." in cell or "," in cell
 
@@ -956,13 +963,15 @@ def _table(
 
 def _mark_of(cell: str) -> str:
     """Decimal mark of a number; empty without one, or for text."""
-    if _DECIMAL_COMMA.fullmatch(cell):
+    if "," in cell and _DECIMAL_COMMA.fullmatch(cell):
         return ","
     return "." if "." in cell and is_number(cell) else ""
 
 
 def _decimal_mark(cells: list[str]) -> str:
     """Decimal mark of a column of numbers, ``,.`` if it has both; empty without one, or for text."""
+    if not any("," in cell for cell in cells):
+        return "." if any(map(_mark_of, cells)) else ""
     return "".join(sorted(set(map(_mark_of, cells))))
 
 

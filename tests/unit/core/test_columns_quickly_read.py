@@ -194,3 +194,16 @@ def test_a_long_text_shows_its_progress(tmp_path: Path, monkeypatch) -> None:
     assert stages[0] == ("reading long.csv: 0 %", 0.0)
     assert [share for _, share in stages] == sorted({share for _, share in stages})
     assert 0.7 < stages[-1][1] < 1.0
+
+
+def test_quoted_numbers_are_read_as_without_quotes(tmp_path):
+    rows = [f"{k / 100},{k * 1.5}" for k in range(50)]
+    plain, quoted = tmp_path / "plain.csv", tmp_path / "quoted.csv"
+    plain.write_text("time [s],force [N]\n" + "\n".join(rows))
+    marks = ['"' + row.replace(",", '","') + '"' for row in rows]
+    quoted.write_text("time [s],force [N]\n" + "\n".join(marks))
+    for own, other in zip(read_columns_csv(quoted), read_columns_csv(plain), strict=True):
+        np.testing.assert_array_equal(own.values, other.values)
+    quoted.write_text('time [s],force [N]\n"0,5"\n"1,5"\n')  # one cell a row, not two
+    with pytest.raises(RecordingError):
+        read_columns_csv(quoted)
