@@ -112,6 +112,7 @@ def compare(
     return float(np.max(difference)), len(found.events), int(run.attrs["events"])
 
 
+@pytest.mark.some(2)
 @pytest.mark.source(
     kind="program",
     of="models for other programs",

@@ -113,7 +113,7 @@ def test_mistakes_are_one_message(cli, tmp_path: Path, words, message) -> None:
 def test_lumped_rigs_have_no_arms(cli) -> None:
     outcome = cli("adjust", "kart-quarter-car", "--json")
     assert outcome.exit_code == 2
-    assert "only a rig with hardpoints" in outcome.json["error"]["message"]
+    assert "only a corner with hardpoints" in outcome.json["error"]["message"]
 
 
 def test_other_suspensions_have_their_own_settings(cli) -> None:

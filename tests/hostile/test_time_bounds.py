@@ -40,6 +40,7 @@ except JounceError as error:
 """
 
 
+@pytest.mark.some(2)
 @pytest.mark.parametrize("name", _SHAPES)
 def test_a_text_that_took_minutes(tmp_path: Path, name: str) -> None:
     file = tmp_path / name

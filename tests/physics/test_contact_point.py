@@ -83,6 +83,7 @@ def every_car() -> list:
     ]
 
 
+@pytest.mark.some(3)
 @pytest.mark.parametrize(
     "load",
     [{}, *({"lateral_acceleration": a} for a in (1.0, 3.0, 6.0)), {"deceleration": 4.0}],

@@ -173,6 +173,7 @@ def test_naming_the_bodies_the_other_way_turns_the_reaction_over(kind: str, clos
             )
 
 
+@pytest.mark.some(2)
 @pytest.mark.parametrize(("kind", "closing"), ROLES)
 def test_energy_is_kept_and_the_reaction_does_no_work(kind: str, closing: bool):
     run = run_of(kind, closing)

@@ -354,6 +354,7 @@ ANY_UNIT = ("unknown unit", "another quantity")
 CASES = list(_cases())
 
 
+@pytest.mark.some(4)
 @pytest.mark.parametrize(("name", "argument"), dict.fromkeys(case[:2] for case in CASES))
 def test_samples_count_as_plain_floats_or_are_refused(name: str, argument: str) -> None:
     call, signals = CALLS[name]

@@ -51,6 +51,7 @@ def test_the_path_with_drag_alone_has_its_first_integral():
     assert v[moving] ** 2 == pytest.approx(exact[moving], rel=1e-6)
 
 
+@pytest.mark.some(2)
 @pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
 @pytest.mark.parametrize(
     ("ratio", "friction", "drag"),
@@ -153,6 +154,7 @@ def struck(ratio, hits, *, rate=1000.0, frequency=5.0, seconds=4.0, contact=5e-3
     return time[::sub], {"displacement": x[::sub], "velocity": v[::sub], "acceleration": a[::sub]}
 
 
+@pytest.mark.some(3)
 @pytest.mark.parametrize("quantity", ["displacement", "velocity", "acceleration"])
 @pytest.mark.parametrize("ratio", [0.005, 0.03, 0.15])
 @pytest.mark.parametrize("sign", [1.0, -1.0])

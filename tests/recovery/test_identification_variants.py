@@ -16,6 +16,7 @@ RIGHT = {
 """Golden: how many of how many variants are right. Of the others a finding names the cause, or they are refused."""
 
 
+@pytest.mark.some(3)
 @pytest.mark.usefixtures("units_kept")
 @pytest.mark.parametrize("subject", identification_variants.SUBJECTS)
 def test_nothing_is_silently_wrong(subject):

@@ -130,6 +130,7 @@ def test_weights_help_the_body_and_friction_still_holds_it(run):
     assert printed < normalised < REPRESENTED
 
 
+@pytest.mark.some(2)
 @pytest.mark.parametrize("truth", ["kart-prototype", "kart-low-friction"])
 def test_closer_trains_are_met_better(run, truth):
     """Section 9: "the adjusted model better represented the situations when this distance was smaller"."""

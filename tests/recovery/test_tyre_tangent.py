@@ -75,6 +75,7 @@ def fitted(seed: int, law: Law, degree: int) -> tuple[StiffnessResult, float]:
     return result, float(slope(brentq(lambda x: float(force(x)) - load, 1e-6, REACH)))
 
 
+@pytest.mark.some(3)
 @pytest.mark.parametrize(
     ("law", "degree", "least"), [("polynomial", 3, 37), ("polynomial", 2, 37), ("power", 3, 36)]
 )

@@ -333,7 +333,7 @@ def test_settings_that_cannot_be_made_are_refused(settings, message):
 
 
 def test_other_rigs_are_refused():
-    with pytest.raises(DescriptionError, match="only a rig with hardpoints"):
+    with pytest.raises(DescriptionError, match="only a corner with hardpoints"):
         adjust_report(jn.load("kart-quarter-car"))
     with pytest.raises(DescriptionError, match=r"none of its lengths sets camber.*wedges"):
         lengths_for(jn.load("semi-trailing-arm"), camber="-1 deg")
