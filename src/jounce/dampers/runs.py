@@ -37,6 +37,7 @@ _ONE_PERIOD = 0.05  # differences of the lengths of cycles, as a share
 _TREND = 5  # cycles from which a trend over them is told
 _FADES = 0.02  # change of the force over a record that is named
 PEAK = 0.05  # share of the largest speed below it that counts as peak velocity
+_BESIDE_FRICTION = 0.2  # of the force that rubs: its two directions do not cancel more closely
 _CLEAR_GAS = 0.03  # share of the force from which that of the gas is neither lag nor friction
 _NEAR_REST = 0.1  # share of the peak velocity up to which samples are slow
 _SHARE_NEAR_REST = 0.02  # of the samples: a sine has 0.06, a triangle next to none
@@ -113,8 +114,13 @@ class ReadRun:
 
     @property
     def is_clear(self) -> bool:
-        """Whether the force at rest shows which signs are right."""
-        return abs(self.gas_share) > _CLEAR_GAS
+        """Whether the force at rest shows which signs are right: it must stand out from what rubs or yields, too."""
+        if abs(self.gas_share) <= _CLEAR_GAS:
+            return False
+        speed = np.abs(self.motion.velocity)
+        slow = self.motion.force[speed < _NEAR_REST * np.quantile(speed, 0.99)]
+        rubs = float(np.median(np.abs(slow - self.rest.value)))
+        return abs(self.rest.value) > _BESIDE_FRICTION * rubs
 
     @cached_property
     def starts(self) -> NDArray[np.int64]:
