@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from jounce.core.findings import Finding, finding
 from jounce.core.results import Shows
@@ -323,15 +324,10 @@ def _at_rest(
     slow samples are too few, the static force of the slowest record is the gas force, and the friction is unknown.
     """
     slowest = min(runs, key=lambda run: run.peak)
-    ends = [
-        pair
-        for window in _SLOW
-        if (
-            pair := _ends_in(
-                runs, (window[0] * slowest.peak, window[1] * slowest.peak), lag, stiffness
-            )
-        )
-    ]
+    windows = [(first * slowest.peak, last * slowest.peak) for first, last in _SLOW]
+    fastest = max(last for _, last in windows)
+    slow = [_Slow.of(run, fastest, lag, stiffness) for run in runs]
+    ends = [pair for window in windows if (pair := _ends_in(slow, window))]
     if ends:
         return min(
             ends, key=lambda pair: math.hypot(*(item.standard_error or 0.0 for item in pair))
@@ -342,13 +338,31 @@ def _at_rest(
     return slowest.rest, Estimate(0.0)
 
 
+@dataclass(frozen=True)
+class _Slow:
+    """The slow samples of a record, without lag and gas stiffness: velocity (m/s) and force (N), by cycle."""
+
+    velocity: Array
+    force: Array
+    cycles: NDArray[np.int64]
+    count: int
+
+    @classmethod
+    def of(cls, run: ReadRun, fastest: float, lag: float, stiffness: float) -> _Slow:
+        motion = run.motion
+        velocity = motion.velocity - lag * run.acceleration
+        near = np.flatnonzero((np.abs(velocity) <= fastest) & (run.cycles >= 0))
+        force = motion.force[near] - stiffness * motion.displacement[near]
+        return cls(velocity[near], force, run.cycles[near], run.count)
+
+
 def _ends_in(
-    runs: Sequence[ReadRun], window: tuple[float, float], lag: float, stiffness: float
+    slow: Sequence[_Slow], window: tuple[float, float]
 ) -> tuple[Estimate, Estimate] | None:
     """Return gas force and friction as the samples of a window of speed (m/s) tell them; None with too few cycles."""
     sides: list[list[tuple[Array, Array]]] = [[], []]  # of gas and friction, by record
-    for run in runs:
-        bump, rebound = (_intercepts(run, sign, window, lag, stiffness) for sign in (1.0, -1.0))
+    for part in slow:
+        bump, rebound = (_intercepts(part, sign, window) for sign in (1.0, -1.0))
         both = np.isfinite(bump[1]) & np.isfinite(rebound[1])
         if both.any():
             for way, results in zip((1.0, -1.0), sides, strict=True):
@@ -374,18 +388,14 @@ def _pooled(records: Sequence[tuple[Array, Array]]) -> Estimate:
     return estimate(float(parabola.mean()), math.hypot(error, bend), count - 1)
 
 
-def _intercepts(
-    run: ReadRun, sign: float, within: tuple[float, float], lag: float, stiffness: float
-) -> tuple[Array, Array]:
+def _intercepts(slow: _Slow, sign: float, within: tuple[float, float]) -> tuple[Array, Array]:
     """Return the force (N) to which a parabola and a cubic lead at rest, in each cycle; NaN with too few samples."""
-    motion = run.motion
-    speed = sign * (motion.velocity - lag * run.acceleration)
-    near = np.flatnonzero((speed >= within[0]) & (speed <= within[1]) & (run.cycles >= 0))
-    cycles, share = run.cycles[near], speed[near] / within[1]
-    force = motion.force[near] - stiffness * motion.displacement[near]
+    speed = sign * slow.velocity
+    near = np.flatnonzero((speed >= within[0]) & (speed <= within[1]))
+    cycles, share, force = slow.cycles[near], speed[near] / within[1], slow.force[near]
 
     def total(weights: Array) -> Array:
-        return np.bincount(cycles, weights, minlength=run.count).astype(float)
+        return np.bincount(cycles, weights, minlength=slow.count).astype(float)
 
     powers = np.stack([total(share**k) for k in range(7)])
     loads = np.stack([total(force * share**k) for k in range(4)])
@@ -394,7 +404,7 @@ def _intercepts(
     for degree in (2, 3):
         row = np.arange(degree + 1)
         matrix = np.moveaxis(powers[row[:, np.newaxis] + row], -1, 0)[enough]
-        end = np.full(run.count, math.nan)
+        end = np.full(slow.count, math.nan)
         if enough.any():
             end[enough] = np.linalg.solve(matrix, loads[row].T[enough][..., np.newaxis])[:, 0, 0]
         ends.append(end)
