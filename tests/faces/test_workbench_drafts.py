@@ -162,7 +162,8 @@ def test_only_what_a_browser_cannot_keep_is_asked_about(
 
 @pages
 def test_forms_that_were_left_are_filled_in_again(page: Any, project: tuple[Path, str]) -> None:
-    _, base = project
+    folder, base = project
+    (folder / "lane.csv").write_text("time [s], front_left.plate.force [N]\n0, 1\n")
 
     def again(address: str) -> None:
         to_project(page)

@@ -314,7 +314,8 @@ def test_an_answer_takes_nobody_from_the_page_where_they_are_by_now(page, base):
     asked.refuse("enough")
 
 
-def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page, base):
+def test_a_file_that_arrives_late_leaves_the_form_of_an_inspection_as_it_is(page, base, workbench):
+    (workbench[0] / "lane.csv").write_text("time [s], front_left.plate.force [N]\n0, 1\n")
     show(page, base, "inspection")
     plate, record = page.get_by_label("Number plate").first, page.get_by_label("Record of one axle")
     files, asks = Held(page, "**/api/upload?*"), Held(page, "**/api/ask")
